@@ -20,6 +20,24 @@ OptionHelp help_of(const Option& option) {
     return {flag_of(option.name), described(option.brief, option.meaning), option.symbol, option.standard};
 }
 
+std::vector<double> numbers_in(const std::string& option, const std::string& text) {
+    std::vector<double> numbers;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        numbers.push_back(parse_number(option, text.substr(begin, end - begin), NumberRange::Any));
+        begin = end + 1;
+    }
+    return numbers;
+}
+
+std::optional<Vec3> point_in(const std::string& option, const std::string& text) {
+    const bool is_point = std::count(text.begin(), text.end(), ',') == 2 &&
+                          text.find_first_not_of("0123456789.,+-eE ") == std::string::npos;
+    if (!is_point) return std::nullopt;
+    const std::vector<double> numbers = numbers_in(option, text);
+    return Vec3{numbers[0], numbers[1], numbers[2]};
+}
+
 CLI::Option* add_word(CLI::App& command, const OptionHelp& help, const std::function<void(const std::string&)>& read) {
     return command.add_option_function<std::string>(help.name, read, help.text)
         ->type_name(help.symbol)

@@ -5,12 +5,14 @@
 
 #include <CLI/App.hpp>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "meniscus/describe_options.h"
+#include "meniscus/vec3.h"
 #include "meniscus/words.h"
 #include "reading/option_numbers.h"
 
@@ -28,6 +30,14 @@ struct OptionHelp {
 std::string flag_of(std::string_view option);
 
 OptionHelp help_of(const Option& option);
+
+/// The numbers of a list with commas between them.
+/// throws   UsageError for what is no number, and no list
+std::vector<double> numbers_in(const std::string& option, const std::string& text);
+
+/// The point "X,Y,Z"; nothing where the text is not made like three numbers and may be a selection.
+/// throws   as numbers_in()
+std::optional<Vec3> point_in(const std::string& option, const std::string& text);
 
 /// An option whose value is one word, which `read` may refuse with UsageError.
 CLI::Option* add_word(CLI::App& command, const OptionHelp& help, const std::function<void(const std::string&)>& read);

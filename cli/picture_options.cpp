@@ -69,11 +69,10 @@ ColourOptions parse_colours(const std::string& text) {
 constexpr const char* kCutWords = "none, auto, cavity:N, a depth in Å, or X,Y,Z[:NX,NY,NZ]";
 
 Vec3 parse_vector(const char* option, const std::string& text, const char* words) {
-    const std::vector<std::string> parts = split(text, ',');
-    if (parts.size() != 3)
+    if (std::count(text.begin(), text.end(), ',') != 2)
         throw UsageError(fmt::format("{}: unknown value '{}'; choose one of {}", option, text, words));
-    return {parse_number(option, parts[0], NumberRange::Any), parse_number(option, parts[1], NumberRange::Any),
-            parse_number(option, parts[2], NumberRange::Any)};
+    const std::vector<double> numbers = numbers_in(option, text);
+    return {numbers[0], numbers[1], numbers[2]};
 }
 
 Vec3 parse_direction(const std::string& text) { return parse_vector("--view", text, kViewWords); }

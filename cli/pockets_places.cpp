@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pockets_places.h"
 
-#include <CLI/StringTools.hpp>
 #include <algorithm>
 #include <optional>
 
@@ -15,17 +14,6 @@ namespace {
 
 constexpr double kReachOfAtom = 4.0;   // Å: where a ligand's atoms lie that touch the wall
 constexpr double kReachOfPoint = 8.0;  // Å: as far as a site's own points
-
-// "X,Y,Z", or nothing where that is not three numbers.
-std::optional<Vec3> point_of(const std::string& text) {
-    const std::vector<std::string> parts = CLI::detail::split(text, ',');
-    const bool is_point = parts.size() == 3 && std::all_of(parts.begin(), parts.end(), [](const std::string& part) {
-                              return !part.empty() && part.find_first_not_of("0123456789.+-eE") == std::string::npos;
-                          });
-    if (!is_point) return std::nullopt;
-    const auto number = [](const std::string& part) { return parse_number("--at", part, NumberRange::Any); };
-    return Vec3{number(parts[0]), number(parts[1]), number(parts[2])};
-}
 
 // With the hetero atoms that pockets leave out, of all chains.
 Structure read_whole(const PocketsRequest& request, int model) {
@@ -50,7 +38,7 @@ PlacesOfRun read_places(const PocketsRequest& request, const Structure& molecule
     PlacesOfRun run;
     std::optional<Structure> whole;
     for (const std::string& text : request.at) {
-        if (const std::optional<Vec3> point = point_of(text)) {
+        if (const std::optional<Vec3> point = point_in("--at", text)) {
             run.places.push_back({text, {{*point}, request.at_reach.value_or(kReachOfPoint)}, {}});
             continue;
         }

@@ -25,30 +25,6 @@ namespace {
 
 constexpr std::size_t kMostRows = 30;
 
-std::vector<std::string> parts_of(const std::string& text) {
-    std::vector<std::string> parts(1);
-    for (const char c : text) {
-        if (c == ',')
-            parts.emplace_back();
-        else
-            parts.back() += c;
-    }
-    return parts;
-}
-
-std::vector<double> numbers_of(const std::string& option, const std::vector<std::string>& parts) {
-    std::vector<double> numbers;
-    numbers.reserve(parts.size());
-    for (const std::string& part : parts) numbers.push_back(parse_number(option, part, NumberRange::Any));
-    return numbers;
-}
-
-// Selections, too, may have commas, but not three parts that look like numbers and nothing else.
-bool is_point(const std::string& text) {
-    return std::count(text.begin(), text.end(), ',') == 2 &&
-           text.find_first_not_of("0123456789.,+-eE ") == std::string::npos;
-}
-
 Vec3 middle_of(const std::vector<Vec3>& centres) {
     Vec3 sum;
     for (const Vec3& centre : centres) sum += centre;
@@ -57,10 +33,7 @@ Vec3 middle_of(const std::vector<Vec3>& centres) {
 
 Vec3 start_of(const std::string& text, const Structure& structure) {
     constexpr const char* kOption = "--tunnels-from";
-    if (is_point(text)) {
-        const std::vector<double> p = numbers_of(kOption, parts_of(text));
-        return {p[0], p[1], p[2]};
-    }
+    if (const std::optional<Vec3> point = point_in(kOption, text)) return *point;
     const std::vector<bool> selected = select_atoms(structure, text, kOption);
     std::vector<Vec3> centres;
     for (std::size_t i = 0; i < selected.size(); ++i)
@@ -115,10 +88,9 @@ AskedPore parse_pore(const std::string& text) {
     if (text == "x") return {text, Vec3{1.0, 0.0, 0.0}};
     if (text == "y") return {text, Vec3{0.0, 1.0, 0.0}};
     if (text == "z") return {text, Vec3{0.0, 0.0, 1.0}};
-    const std::vector<std::string> parts = parts_of(text);
-    if (parts.size() != 6)
+    if (std::count(text.begin(), text.end(), ',') != 5)
         throw UsageError(fmt::format("--pore {}: must be x, y or z, or two points X,Y,Z,X,Y,Z", one_line(text)));
-    const std::vector<double> n = numbers_of("--pore", parts);
+    const std::vector<double> n = numbers_in("--pore", text);
     const PoreEnds ends{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
     if (ends.from == ends.to) throw UsageError(fmt::format("--pore {}: both points are the same", one_line(text)));
     return {text, ends};
@@ -132,7 +104,7 @@ void add_tunnel_options(CLI::App& command, TunnelRequest& request) {
             [&request](const std::vector<std::string>& texts) {
                 for (const std::string& text : texts) {
                     if (text.empty()) throw UsageError("--tunnels-from: needs a point X,Y,Z or a selection");
-                    if (is_point(text)) numbers_of("--tunnels-from", parts_of(text));
+                    point_in("--tunnels-from", text);
                     request.from.push_back(text);
                 }
             },
