@@ -140,7 +140,7 @@ def follow_pockets(models: Iterable[Pockets], tunnels: Iterable[Iterable[Tunnel]
     for item in found:
         if not isinstance(item, Pockets):
             raise TypeError(f"models: must be Pockets, not {type(item).__name__}")
-    ways = [()] * len(found) if tunnels is None else list(tunnels)
+    ways: list[Iterable[Tunnel]] = [()] * len(found) if tunnels is None else list(tunnels)
     if len(ways) != len(found):
         raise UsageError(f"tunnels: of {len(ways)} models, but there are pockets of {len(found)}")
     blocks, of_pockets = _core.follow_pockets([(item._core, item.structure._core, _bottlenecks(item, list_of))
