@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 
 #include "meniscus/describe_pockets.h"
@@ -71,29 +70,6 @@ std::string row_of(const DescribedPocket& described) {
                        first_residues(described.residues)) +
            place_lines(described);
 }
-
-// Numbers for atoms that are the same in all models, by their names.
-class AtomNumbers {
-public:
-    std::vector<std::uint32_t> of(const Structure& structure) {
-        std::vector<std::uint32_t> numbers;
-        numbers.reserve(structure.labels.size());
-        for (const AtomLabel& atom : structure.labels) {
-            const std::string key = residue_label(structure.residues[atom.residue]) + " " + atom.name;
-            const auto next = static_cast<std::uint32_t>(residues_.size());
-            const auto [found, is_new] = numbers_.try_emplace(key, next);
-            if (is_new) residues_.push_back(structure.residues[atom.residue]);
-            numbers.push_back(found->second);
-        }
-        return numbers;
-    }
-
-    const Residue& residue(std::uint32_t number) const { return residues_[number]; }
-
-private:
-    std::unordered_map<std::string, std::uint32_t> numbers_;
-    std::vector<Residue> residues_;  // of each number
-};
 
 std::string spread_text(const Spread& spread) { return fmt::format("{:.1f} ± {:.1f}", spread.mean, spread.deviation); }
 
@@ -187,46 +163,25 @@ private:
                     double& widest = bottlenecks[*tunnel.pocket - 1];
                     widest = std::max(widest, tunnel.way.path.bottleneck.radius);
                 }
-        const std::vector<std::size_t> tracks = tracks_.add(pockets_, numbers_.of(structure), bottlenecks);
-        for (std::size_t i = 0; i < tracks.size(); ++i) described_[i].track = tracks[i] + 1;
-    }
-
-    // Those in most models first, of these the ones that look most like the places of ligands.
-    std::vector<DescribedTrack> described_tracks() const {
-        std::vector<DescribedTrack> tracks;
-        for (PocketTrack& track : tracks_.tracks()) {
-            std::vector<std::string> residues;
-            for (const WallAtom& atom : track.wall) {
-                if (atom.area <= kLiningArea) continue;
-                const std::string label = spaced_label(numbers_.residue(atom.atom));
-                if (std::find(residues.begin(), residues.end(), label) == residues.end()) residues.push_back(label);
-            }
-            tracks.push_back({std::move(track), tracks.size() + 1, std::move(residues)});
-        }
-        std::stable_sort(tracks.begin(), tracks.end(), [](const DescribedTrack& a, const DescribedTrack& b) {
-            const auto key = [](const DescribedTrack& t) {
-                return t.track.score.mean * static_cast<double>(t.track.models);
-            };
-            return key(a) != key(b) ? key(a) > key(b) : a.track.models > b.track.models;
-        });
-        return tracks;
+        const std::vector<std::size_t> tracks = followed_.add(pockets_, structure, bottlenecks);
+        for (std::size_t i = 0; i < tracks.size(); ++i) described_[i].track = tracks[i];
     }
 
     std::string file_of_all() const override { return request_.over_models; }
 
     void write_of_all() const override {
         if (!request_.over_models.empty())
-            write_table(request_.over_models, tracks_table(described_tracks(), tracks_.models()));
+            write_table(request_.over_models, tracks_table(followed_.described(), followed_.models()));
     }
 
     std::string summary_of_all() const override {
         if (!request_.all_models) return "";
         const bool has_ways = request_.tunnels.wants_tunnels();
         std::string text = fmt::format("over {}:\n  {:>5} {:>7} {:>5} {:>14} {:>16} {:>14}  lined by\n",
-                                       counted(tracks_.models(), "model", "models"), "track", "models", "open", "score",
-                                       "volume/Å³", has_ways ? "bottleneck/Å" : "mouth/Å");
+                                       counted(followed_.models(), "model", "models"), "track", "models", "open",
+                                       "score", "volume/Å³", has_ways ? "bottleneck/Å" : "mouth/Å");
         std::size_t rows = 0;
-        const std::vector<DescribedTrack> tracks = described_tracks();
+        const std::vector<DescribedTrack> tracks = followed_.described();
         for (const DescribedTrack& d : tracks) {
             if (rows++ == kMostTracks) break;
             text += fmt::format("  {:>5} {:>7} {:>5} {:>14} {:>16} {:>14}  {}\n", d.number, d.track.models,
@@ -300,8 +255,7 @@ private:
     const PocketsRequest& request_;
     Pockets pockets_;
     std::vector<DescribedPocket> described_;
-    PocketTracks tracks_;
-    AtomNumbers numbers_;
+    FollowedPockets followed_;
     std::string said_;  // of the ranking, once for all models
     FoundTunnels ways_;
     std::optional<DrawnPockets> drawn_;

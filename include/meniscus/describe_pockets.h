@@ -3,9 +3,12 @@
 // The options and the results of pockets, described as describe_options.h and describe_results.h describe the others.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "meniscus/describe_options.h"
@@ -152,6 +155,29 @@ struct DescribedTrack {
     PocketTrack track;
     std::size_t number = 0;  ///< from 1, DescribedPocket::track
     std::vector<std::string> residues;
+};
+
+/// Pockets over models of one molecule. Atoms of different models are the same if their chains, residues and names are;
+/// of several with one name, or without, the first is the first of the other model, and so on.
+class FollowedPockets {
+public:
+    /// structure     the atoms of the model, with a label for each
+    /// bottlenecks   as for PocketTracks::add()
+    /// returns       for each pocket the number of its track, from 1
+    std::vector<std::size_t> add(const Pockets& pockets, const Structure& structure,
+                                 std::span<const double> bottlenecks = {});
+
+    /// Those that look most like the places of ligands first, by the sum of their scores over the models.
+    std::vector<DescribedTrack> described() const;
+
+    std::size_t models() const { return tracks_.models(); }
+
+private:
+    std::vector<std::uint32_t> numbers_of(const Structure& structure);
+
+    PocketTracks tracks_;
+    std::unordered_map<std::string, std::uint32_t> numbers_;  // of atoms, the same in all models, by their names
+    std::vector<Residue> residues_;                           // of each number
 };
 
 /// A row per pocket over all models.

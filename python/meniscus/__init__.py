@@ -43,6 +43,7 @@ from ._reading import ReadOptions, read, read_models
 from ._structure import Structure
 from ._sums import Sum
 from ._surface import Surface
+from ._tracks import PocketTrack, PocketTracks, Spread, follow_pockets
 from ._tunnels import Pore, Tunnel, pore
 
 __all__ = [
@@ -62,12 +63,15 @@ __all__ = [
     "Nearest",
     "OutputError",
     "Pocket",
+    "PocketTrack",
+    "PocketTracks",
     "Pockets",
     "Points",
     "Pore",
     "ReadOptions",
     "ReadWarning",
     "RunOptions",
+    "Spread",
     "Structure",
     "Sum",
     "Surface",
@@ -76,6 +80,7 @@ __all__ = [
     "UsageError",
     "__version__",
     "compare",
+    "follow_pockets",
     "from_biopython",
     "from_biotite",
     "from_gemmi",

@@ -302,8 +302,9 @@ class Surface(OnSurface):
             Where to write.
         color : str or array_like of uint8, shape (n, 3) or (n, 4), default "auto"
             A scheme of ``--color`` ("patch", "curvature:-1:1"), the name of one of the values ("phi:-5:5"), one colour by
-            its CSS name or "#rrggbb", or a colour per vertex. "depth", "bfactor" and "plddt" are written as a vertex
-            array, too.
+            its CSS name or "#rrggbb", or a colour per vertex. "depth", "bfactor", "plddt" and "pocket" are
+            written as a vertex array, too. Pockets are found among the atoms of the surface, see :func:`pockets`: their
+            ranks are less sure with radii that are not united, or hetero atoms.
         values : dict of str to array_like, shape (n,), optional
             Further arrays by name, such as from :meth:`map_values` and :meth:`table_values`.
         arrays : "depth" or sequence of it, optional

@@ -22,7 +22,28 @@ _AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 
 
 @dataclasses.dataclass(frozen=True)
-class Pore:
+class _Way:
+    bottleneck_radius: float
+    bottleneck: Point
+    bottleneck_atoms: list[str]
+    bottleneck_at_end: bool
+    certified_radius: float
+    length: float
+    curvature: float
+    atoms: Indices = dataclasses.field(repr=False, compare=False)
+    points: Floats = dataclasses.field(repr=False, compare=False)
+    radii: Floats = dataclasses.field(repr=False, compare=False)
+    distances: Floats = dataclasses.field(repr=False, compare=False)
+
+
+@dataclasses.dataclass(frozen=True)
+class _Place:
+    pocket: int | None
+    rank: int
+
+
+@dataclasses.dataclass(frozen=True)
+class Pore(_Way):
     """The widest way through a molecule; made by :func:`pore`.
 
     Parameters
@@ -51,21 +72,10 @@ class Pore:
         From the start, along the way, Å.
     """
 
-    bottleneck_radius: float
-    bottleneck: Point
-    bottleneck_atoms: list[str]
-    bottleneck_at_end: bool
-    certified_radius: float
-    length: float
-    curvature: float
-    atoms: Indices = dataclasses.field(repr=False, compare=False)
-    points: Floats = dataclasses.field(repr=False, compare=False)
-    radii: Floats = dataclasses.field(repr=False, compare=False)
-    distances: Floats = dataclasses.field(repr=False, compare=False)
 
-
+# The members of the last base come first.
 @dataclasses.dataclass(frozen=True)
-class Tunnel:
+class Tunnel(_Way, _Place):
     """A way from a pocket or a point to the bulk; made by :meth:`Pockets.tunnels`.
 
     Parameters
@@ -97,20 +107,6 @@ class Tunnel:
     distances : ndarray of float64, shape (n,)
         From the start, along the way, Å.
     """
-
-    pocket: int | None
-    rank: int
-    bottleneck_radius: float
-    bottleneck: Point
-    bottleneck_atoms: list[str]
-    bottleneck_at_end: bool
-    certified_radius: float
-    length: float
-    curvature: float
-    atoms: Indices = dataclasses.field(repr=False, compare=False)
-    points: Floats = dataclasses.field(repr=False, compare=False)
-    radii: Floats = dataclasses.field(repr=False, compare=False)
-    distances: Floats = dataclasses.field(repr=False, compare=False)
 
 
 def _way_of(along: str | ArrayLike) -> Floats:

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -113,6 +114,35 @@ void save_pocket_arrays(const FoundPockets& found, const std::string& path) {
     write_pocket_arrays(path, found.pockets);
 }
 
+/// A model with its structure and the bottlenecks of its pockets, 0 for none.
+using ModelPockets = std::tuple<std::shared_ptr<FoundPockets>, std::shared_ptr<Structure>, std::vector<double>>;
+
+py::dict track_dict(const DescribedTrack& described) {
+    using namespace py::literals;
+    const PocketTrack& track = described.track;
+    const auto pair = [](const Spread& spread) { return py::make_tuple(spread.mean, spread.deviation); };
+    return py::dict("number"_a = described.number, "models"_a = track.models, "open"_a = track.open,
+                    "best_rank"_a = track.best_rank, "score"_a = pair(track.score), "volume"_a = pair(track.volume),
+                    "depth"_a = pair(track.depth), "mouth_radius"_a = pair(track.mouth_radius), "ways"_a = track.ways,
+                    "bottleneck"_a = pair(track.bottleneck), "residues"_a = described.residues);
+}
+
+/// The tracks, and for each model the number of the track of each pocket.
+py::tuple follow_pockets(const std::vector<ModelPockets>& models) {
+    FollowedPockets followed;
+    std::vector<std::vector<std::size_t>> of_pockets;
+    std::vector<DescribedTrack> described;
+    {
+        const py::gil_scoped_release release;
+        for (const auto& [found, structure, bottlenecks] : models)
+            of_pockets.push_back(followed.add(found->pockets, *structure, bottlenecks));
+        described = followed.described();
+    }
+    py::list tracks;
+    for (const DescribedTrack& track : described) tracks.append(track_dict(track));
+    return py::make_tuple(tracks, of_pockets);
+}
+
 }  // namespace
 
 void bind_pockets(py::module_& module) {
@@ -141,6 +171,7 @@ void bind_pockets(py::module_& module) {
     type.def("save_arrays", &save_pocket_arrays, py::arg("path"));
     def_pickle<FoundPockets>(type);
     module.def("pockets", &pockets_of, py::arg("structure"), py::arg("options"), py::arg("places"), py::arg("threads"));
+    module.def("follow_pockets", &follow_pockets, py::arg("models"));
 }
 
 }  // namespace meniscus::python

@@ -19,6 +19,8 @@
 #include "meniscus/mesh_part.h"
 #include "meniscus/page.h"
 #include "meniscus/picture.h"
+#include "meniscus/pocket_chemistry.h"
+#include "meniscus/pockets.h"
 #include "meniscus/vertex_values.h"
 #include "meniscus/volume_file.h"
 #include "meniscus/write.h"
@@ -45,6 +47,7 @@ struct Colouring {
             options.range = ValueRange{min, max};
         }
         if (asked.contains("colors")) take(asked["colors"].cast<Bytes>());
+        Options(asked).read("threads", threads_);
     }
 
     std::vector<Colour> of(const Mesh& mesh, const Structure& structure) const {
@@ -59,10 +62,21 @@ struct Colouring {
         if (const auto more = values_of_scheme(options.scheme, structure))
             with.values.push_back(values_at_vertices(mesh, *more));
         with.values.insert(with.values.end(), values.begin(), values.end());
+        if (options.scheme == ColourScheme::Pocket && given.empty() && !has_values(kPocketValues))
+            with.values.push_back(pocket_values(pockets_of(structure, exact), mesh));
         return with;
     }
 
 private:
+    /// Those of `meniscus surface --color pocket`: for any surface those of the SES.
+    Pockets pockets_of(const Structure& structure, const ExactSurface& exact) const {
+        const PocketOptions standard;
+        RunOptions run;
+        run.threads = threads_;
+        return find_pockets(exact.of_same_atoms({SurfaceKind::Ses, standard.probe}), atom_classes(structure), standard,
+                            run);
+    }
+
     bool has_values(const std::string& name) const {
         return std::any_of(values.begin(), values.end(), [&](const VertexValues& v) { return v.name == name; });
     }
@@ -99,6 +113,8 @@ private:
         for (py::ssize_t i = 0; i < rows.shape(0); ++i)
             given.push_back({rows(i, 0), rows(i, 1), rows(i, 2), rows(i, 3)});
     }
+
+    int threads_ = 0;
 };
 
 /// Four numbers per vertex.

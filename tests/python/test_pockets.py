@@ -2,8 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Pockets: the same as the command line's, invariance, closed forms, arrays, files, what is refused."""
 import copy
+import csv
 import io
 import json
+import os
 import pathlib
 import pickle
 import subprocess
@@ -18,6 +20,7 @@ import meniscus
 # What only --at and --model all give.
 OF_PLACES_AND_MODELS = ("ligand", "track")
 ANTIBODY = str(ROOT / "examples" / "1a0q.pdb")
+NMR = pathlib.Path(os.environ.get("MENISCUS_TEST_DATA", "")) / "structures" / "1d3z.pdb"
 
 
 def found_in(path, **options):
@@ -131,6 +134,73 @@ class Places(InScratchFolder):
         self.assertEqual(pore is None, report["pore"] is None)
         if pore is not None:
             self.compare(pore, report["pore"])
+
+
+class Models(InScratchFolder):
+    def write_ensemble(self, *shifts):
+        """Of ubiquitin's atoms: those on one side moved along x, by another length in each model."""
+        atoms = [line for line in pathlib.Path(UBIQUITIN).read_text(encoding="ascii").splitlines()
+                 if line.startswith("ATOM")]
+        lines = []
+        for number, shift in enumerate(shifts):
+            lines.append(f"MODEL     {number + 1:4}")
+            for line in atoms:
+                x = float(line[30:38])
+                lines.append(f"{line[:30]}{x + (shift if x > 30 else 0):8.3f}{line[38:]}")
+            lines.append("ENDMDL")
+        pathlib.Path("models.pdb").write_text("\n".join(lines) + "\nEND\n", encoding="ascii")
+        return "models.pdb"
+
+    def compare_with_the_command_line(self, path, *words, with_tunnels):
+        subprocess.run([PROGRAM, "pockets", path, "--model", "all", *words, "--over-models", "all.csv", "--report", "r.json",
+                        "-o", "p.csv", "--quiet"], check=True)
+        with open("all.csv", encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", meniscus.ReadWarning)
+            structures = meniscus.read_models(path, radii="united", hetero="none")
+        found = [meniscus.pockets(structure) for structure in structures]
+        followed = meniscus.follow_pockets(found, [model.tunnels() for model in found] if with_tunnels else None)
+        self.assertEqual(len(followed.tracks), len(rows))
+        for track, row in zip(followed.tracks, rows):
+            self.assertEqual(int(row["of"]), len(found))
+            for name, whole in (("track", "number"), ("models", "models"), ("open", "open"), ("best_rank", "best_rank"),
+                                ("ways", "ways")):
+                self.assertEqual(getattr(track, whole), int(row[name]), name)
+            for name in ("score", "volume", "depth", "mouth_radius", "bottleneck"):
+                spread = getattr(track, name)
+                self.assertEqual((spread.mean, spread.deviation), (float(row[name]), float(row[name + "_sd"])), name)
+            self.assertEqual("; ".join(track.residues), row["residues"])
+        reports = json.loads(pathlib.Path("r.json").read_text(encoding="utf-8"))
+        self.assertEqual(followed.of_pockets, [[p["track"] for p in report["pockets"]] for report in reports])
+        return followed
+
+    def test_are_followed_as_by_the_command_line(self):
+        followed = self.compare_with_the_command_line(self.write_ensemble(0.0, 0.4, 0.8), "--tunnels", with_tunnels=True)
+        self.assertEqual(followed.tracks[0].models, 3)
+        self.assertTrue(any(track.ways for track in followed.tracks))
+        self.assertTrue(any(track.volume.deviation > 1.0 for track in followed.tracks))
+
+    @unittest.skipUnless(NMR.exists(), "needs MENISCUS_TEST_DATA")
+    def test_of_nmr_are_followed_as_by_the_command_line(self):
+        self.compare_with_the_command_line(str(NMR), with_tunnels=False)
+
+    def test_without_names_are_told_apart_by_the_order_of_atoms(self):
+        protein = read(UBIQUITIN, radii="united", hetero="none")
+        found = meniscus.pockets(protein.xyz, protein.radii)
+        numbers = list(range(1, len(found) + 1))
+        self.assertEqual(meniscus.follow_pockets([found, found]).of_pockets, [numbers, numbers])
+
+    def test_that_do_not_match_are_refused(self):
+        found = meniscus.pockets(shell(6.0), np.full(144, 1.7))
+        self.assertEqual(meniscus.follow_pockets([]), meniscus.PocketTracks([], []))
+        with self.assertRaisesRegex(TypeError, "models: must be Pockets, not Pocket"):
+            meniscus.follow_pockets(found)
+        with self.assertRaisesRegex(meniscus.UsageError, "tunnels: of 1 models, but there are pockets of 2"):
+            meniscus.follow_pockets([found, found], [[]])
+        far = meniscus.Tunnel(99, 1, 1.0, (0, 0, 0), [], False, 1.0, 1.0, 1.0, [], [], [], [])
+        with self.assertRaisesRegex(meniscus.UsageError, "tunnels: one begins in pocket 99"):
+            meniscus.follow_pockets([found], [[far]])
 
 
 class Input(InScratchFolder):

@@ -52,6 +52,25 @@ class AsTheProgram(InScratchFolder):
         with self.assertRaisesRegex(ValueError, "draw: .*ligands, none"):
             surface.save("b.png", draw="waters")
 
+    def test_pockets_have_the_same_colours(self):
+        names = ["a.ply", "a.glb", "a.vtp", "a.npz", "a.png"]
+        for kind in ("ses", "sas"):
+            outputs = [word for name in names for word in ("-o", f"cli_{kind}_{name}")]
+            subprocess.run([PROGRAM, "surface", UBIQUITIN, "--quiet", "--spacing", "1", "--surface", kind, "--color", "pocket",
+                            "--arrays", "depth", "--size", "320x240", "--legend", *outputs], check=True, capture_output=True)
+            surface = meniscus.surface(read(UBIQUITIN), spacing=1, surface=kind)
+            for name in names:
+                surface.save(f"{kind}_{name}", color="pocket", arrays="depth", size=(320, 240), legend=True)
+                self.assertTrue(content(f"{kind}_{name}") == content(f"cli_{kind}_{name}"), (kind, name))
+        with np.load("ses_a.npz") as arrays:
+            ranks = arrays["pocket"]
+        self.assertTrue(np.isnan(ranks).any())
+        self.assertGreater(np.nanmax(ranks), 1)
+        given = np.ones(len(surface.normals))
+        surface.save("given.npz", color="pocket", values={"pocket": given})
+        with np.load("given.npz") as arrays:
+            self.assertTrue((arrays["pocket"] == given).all())
+
     def test_values_are_the_same(self):
         pathlib.Path("t.csv").write_text("chain,resnum,score\nA,8,0.5\nA,44,1\n", encoding="ascii")
         subprocess.run([PROGRAM, "surface", UBIQUITIN, "--quiet", "--values", "t.csv", "--color", "score", "-o", "cli.ply",
