@@ -63,15 +63,24 @@ std::string place_lines(const DescribedPocket& described) {
     return text + "\n";
 }
 
+// Scores may be a thousand times smaller in one structure than in another.
+std::string score_text(double score) {
+    return score > 0.0 && score < 0.1 ? fmt::format("{:.1g}", score) : fmt::format("{:.2f}", score);
+}
+
 std::string row_of(const DescribedPocket& described) {
     const Pocket& p = described.pocket;
-    return fmt::format("  {:>5} {:>8.2f} {:>6.2f} {:>10.1f} {:>9.1f} {:>8.1f} {:>7}  {}\n", p.rank, p.score,
+    return fmt::format("  {:>5} {:>8} {:>6.2f} {:>10.1f} {:>9.1f} {:>8.1f} {:>7}  {}\n", p.rank, score_text(p.score),
                        p.probability, p.volume, p.wall_area, p.depth, p.cavity ? "cavity" : "",
                        first_residues(described.residues)) +
            place_lines(described);
 }
 
-std::string spread_text(const Spread& spread) { return fmt::format("{:.1f} ± {:.1f}", spread.mean, spread.deviation); }
+std::string spread_text(const Spread& spread) {
+    if (spread.values == 0) return "";
+    if (spread.values == 1) return fmt::format("{:.1f}", spread.mean);
+    return fmt::format("{:.1f} ± {:.1f}", spread.mean, spread.deviation);
+}
 
 // Files of spheres have no radii but their own.
 bool has_only_spheres(const std::string& input) {
@@ -82,12 +91,13 @@ bool has_only_spheres(const std::string& input) {
 class PocketsRun : public StructureRun {
 public:
     explicit PocketsRun(const PocketsRequest& request) : StructureRun(request, request.run.threads), request_(request) {
-        if (request.pockets.large_probe <= request.pockets.probe)
-            throw UsageError(fmt::format("--large-probe {}: must be larger than the probe, {} Å",
-                                         request.pockets.large_probe, request.pockets.probe));
-        if (request.pockets.spacing > kMostPocketSpacing)
-            throw UsageError(fmt::format("--spacing {}: must be at most {} Å for pockets", request.pockets.spacing,
-                                         kMostPocketSpacing));
+        const PocketOptions& options = request.pockets;
+        if (options.large_probe <= options.probe || options.large_probe > kMostLargeProbe)
+            throw UsageError(fmt::format("--large-probe {}: must be larger than the probe, {} Å, and at most {} Å",
+                                         options.large_probe, options.probe, kMostLargeProbe));
+        if (options.spacing < kLeastPocketSpacing || options.spacing > kMostPocketSpacing)
+            throw UsageError(fmt::format("--spacing {}: must be from {} to {} Å for pockets", options.spacing,
+                                         kLeastPocketSpacing, kMostPocketSpacing));
         if (!request.over_models.empty() && !request.all_models)
             throw UsageError("--over-models: compares models; add --model all");
         check_picture(request.picture);
@@ -171,21 +181,22 @@ private:
 
     void write_of_all() const override {
         if (!request_.over_models.empty())
-            write_table(request_.over_models, tracks_table(followed_.described(), followed_.models()));
+            write_table(request_.over_models,
+                        tracks_table(followed_.described(), followed_.models(), request_.tunnels.wants_tunnels()));
     }
 
     std::string summary_of_all() const override {
         if (!request_.all_models) return "";
         const bool has_ways = request_.tunnels.wants_tunnels();
-        std::string text = fmt::format("over {}:\n  {:>5} {:>7} {:>5} {:>14} {:>16} {:>14}  lined by\n",
+        std::string text = fmt::format("over {}:\n  {:>5} {:>7} {:>5} {:>8} {:>16} {:>14}  lined by\n",
                                        counted(followed_.models(), "model", "models"), "track", "models", "open",
                                        "score", "volume/Å³", has_ways ? "bottleneck/Å" : "mouth/Å");
         std::size_t rows = 0;
         const std::vector<DescribedTrack> tracks = followed_.described();
         for (const DescribedTrack& d : tracks) {
             if (rows++ == kMostTracks) break;
-            text += fmt::format("  {:>5} {:>7} {:>5} {:>14} {:>16} {:>14}  {}\n", d.number, d.track.models,
-                                d.track.open, spread_text(d.track.score), spread_text(d.track.volume),
+            text += fmt::format("  {:>5} {:>7} {:>5} {:>8} {:>16} {:>14}  {}\n", d.number, d.track.models, d.track.open,
+                                score_text(d.track.score.mean), spread_text(d.track.volume),
                                 spread_text(has_ways ? d.track.bottleneck : d.track.mouth_radius),
                                 first_residues(d.residues));
         }

@@ -41,14 +41,14 @@ void describe(Options& o, Visitor&& visit) {
           o.probe);
     visit(Option{.name = "large_probe",
                  .brief = "Radius of the probe that does not, Å",
-                 .meaning = "Radius of the probe that closes pockets off from the bulk, Å; larger than `--probe`",
+                 .meaning = "Radius of the probe that closes pockets off from the bulk, Å; larger than `--probe`, at most 100",
                  .example = "--large-probe 8",
                  .symbol = "R",
                  .range = NumberRange::Positive},
           o.large_probe);
     visit(Option{.name = "spacing",
                  .brief = "Grid spacing, Å",
-                 .meaning = "Grid spacing, Å, at most 2; the ranking was fitted at 1",
+                 .meaning = "Grid spacing, Å, 0.2 to 2; the ranking was fitted at 1",
                  .example = "--spacing 0.5",
                  .symbol = "H",
                  .range = NumberRange::Positive},
@@ -182,7 +182,8 @@ private:
 
 /// A row per pocket over all models.
 ///
-/// models   how many there are
-Table tracks_table(const std::vector<DescribedTrack>& tracks, std::size_t models);
+/// models         how many there are
+/// with_tunnels   whether tunnels were looked for; else nothing is said of them
+Table tracks_table(const std::vector<DescribedTrack>& tracks, std::size_t models, bool with_tunnels);
 
 }  // namespace meniscus

@@ -15,7 +15,8 @@ namespace meniscus {
 /// Mean and standard deviation of a number over models.
 struct Spread {
     double mean = 0.0;
-    double deviation = 0.0;  ///< of the sample; 0 for a single model
+    double deviation = 0.0;  ///< of the sample; 0 for less than two values
+    std::size_t values = 0;  ///< how many there are
 };
 
 /// A pocket as it comes and goes.
@@ -26,7 +27,7 @@ struct PocketTrack {
     Spread score{};                ///< over the models in which it was found, as all that follow
     Spread volume{};               ///< Å³
     Spread depth{};                ///< Å
-    Spread mouth_radius{};         ///< of the largest mouth or opening, Å; 0 for a closed cavity
+    Spread mouth_radius{};         ///< of the largest mouth or opening, Å; over the models in which it is open
     std::size_t ways = 0;          ///< models in which a bottleneck was given
     Spread bottleneck{};           ///< over these, Å
     std::vector<WallAtom> wall{};  ///< mean areas over these models, by atom
@@ -34,7 +35,7 @@ struct PocketTrack {
 
 /// Tells which pockets of different models are the same, by the atoms that line them: two pockets are alike by the area
 /// of wall that they share over the area that either has, and each pocket joins the track whose mean wall it is most
-/// like, at least by a quarter. Tracks are numbered as they appear.
+/// like, at least by an eighth. Tracks are numbered as they appear.
 class PocketTracks {
 public:
     /// ids           for each atom of the model a number that is the same in all models; empty: its index

@@ -50,8 +50,12 @@ struct PocketPlace {
     double reach = 4.0;        ///< the pocket is pocket space that is no farther from one of the points, Å
 };
 
-/// The coarsest grid that shows pockets, Å.
+/// The coarsest grid that shows pockets, and the finest one that is allowed, which takes 125 times the memory of the
+/// usual one, Å.
 inline constexpr double kMostPocketSpacing = 2.0;
+inline constexpr double kLeastPocketSpacing = 0.2;
+/// The largest probe that closes pockets off, Å.
+inline constexpr double kMostLargeProbe = 100.0;
 
 /// Which pockets are looked for, and how. Lengths in Å.
 struct PocketOptions {

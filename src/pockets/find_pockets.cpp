@@ -29,10 +29,10 @@ constexpr double kAtSite = 4.0;       // Å: from a site's centre to what it is 
 
 void check(const ExactSurface& exact, std::span<const AtomClass> classes, const PocketOptions& options) {
     require_positive("probe", options.probe);
-    require(std::isfinite(options.large_probe) && options.large_probe > options.probe, "large_probe",
-            options.large_probe, "larger than the probe");
-    require(options.spacing > 0.0 && options.spacing <= kMostPocketSpacing, "spacing", options.spacing,
-            "above 0 and at most 2 Å for pockets");
+    require(options.large_probe > options.probe && options.large_probe <= kMostLargeProbe, "large_probe",
+            options.large_probe, "larger than the probe and at most 100 Å");
+    require(options.spacing >= kLeastPocketSpacing && options.spacing <= kMostPocketSpacing, "spacing", options.spacing,
+            "from 0.2 to 2 Å for pockets");
     require(options.count >= 1, "count", options.count, "at least 1");
     for (const PocketPlace& place : options.places) {
         if (place.points.empty()) throw UsageError("places: one has no points");
@@ -246,11 +246,12 @@ private:
             all += space_.shares[v];
             (labels_[v] == kNone ? rest : shares[labels_[v]]) += space_.shares[v];
         }
-        if (all == 0.0) {  // a grid too coarse for the little that there is
-            pockets_.rest_volume = pockets_.volume - cavities + in_none;
+        const double open = pockets_.volume - cavities;
+        if (all * cube() < 0.5 * open || open < cube()) {  // a grid too coarse for the little that there is
+            pockets_.rest_volume = open + in_none;
             return;
         }
-        pockets_.scale = (pockets_.volume - cavities) / (all * cube());
+        pockets_.scale = open / (all * cube());
         for (std::size_t d = 0; d < drafts_.size(); ++d)
             if (drafts_[d].cavity == kNone) pockets_.pockets[d].volume = pockets_.scale * shares[d] * cube();
         pockets_.rest_volume = pockets_.scale * rest * cube() + in_none;
@@ -370,6 +371,7 @@ private:
 std::vector<Check> pocket_checks(const Pockets& pockets) {
     constexpr double kMostOff = 0.02;
     constexpr double kFewCubes = 5.0;  // Å³: what a grid cannot tell of small molecules
+    constexpr double kOfLayer = 0.04;  // of a layer on the wall: what it cannot tell of space thinner than its voxels
     constexpr double kRounding = 1e-6;
     double sum = pockets.rest_volume;
     double open = pockets.volume;  // what is scaled
@@ -378,7 +380,9 @@ std::vector<Check> pocket_checks(const Pockets& pockets) {
         if (pocket.cavity) open -= pocket.volume;
     }
     const double whole = std::max(pockets.volume, 1e-9);
-    const double scale_bound = std::max(kMostOff, kFewCubes / std::max(open, 1e-9));
+    double scale_bound = std::max(kMostOff, kFewCubes / std::max(open, 1e-9));
+    const double layer = pockets.options.spacing * pockets.wall_area;  // a voxel thick
+    if (open < layer) scale_bound = std::max(scale_bound, kOfLayer * layer / std::max(open, 1e-9));
     const double off = std::abs(pockets.scale - 1.0);
     const double sum_off = std::abs(sum - pockets.volume) / whole;
     return {{"scale", off <= scale_bound, off, scale_bound},

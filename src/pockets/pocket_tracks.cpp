@@ -9,7 +9,7 @@
 namespace meniscus {
 namespace {
 
-constexpr double kAlike = 0.25;
+constexpr double kAlike = 0.125;
 
 std::vector<WallAtom> renumbered(std::vector<WallAtom> wall, std::span<const std::uint32_t> ids) {
     if (ids.empty()) return wall;
@@ -58,7 +58,7 @@ double widest(const Pocket& pocket) {
 }
 
 Spread spread_of(const std::vector<double>& values) {
-    Spread spread;
+    Spread spread{.values = values.size()};
     const auto count = static_cast<double>(values.size());
     for (const double value : values) spread.mean += value / count;
     if (values.size() < 2) return spread;
@@ -112,7 +112,7 @@ std::vector<std::size_t> PocketTracks::add(const Pockets& pockets, std::span<con
         record.scores.push_back(pocket.score);
         record.volumes.push_back(pocket.volume);
         record.depths.push_back(pocket.depth);
-        record.mouths.push_back(widest(pocket));
+        if (!pocket.cavity) record.mouths.push_back(widest(pocket));
         if (!bottlenecks.empty() && bottlenecks[p] > 0.0) record.bottlenecks.push_back(bottlenecks[p]);
     }
     return track_of;

@@ -29,6 +29,27 @@ std::string joined(const std::vector<T>& words) {
     return text;
 }
 
+// Cells without a meaning stay empty.
+void add_place(std::vector<Cell>& row, const DescribedPocket& described) {
+    const bool is_given = !described.at.empty();
+    row.push_back(is_given ? Cell(described.at) : Cell());
+    row.push_back(is_given && described.pocket.site > 0 ? Cell(static_cast<std::int64_t>(described.pocket.site))
+                                                        : Cell());
+    if (!described.ligand) {
+        row.resize(row.size() + 4);
+        return;
+    }
+    row.emplace_back(static_cast<std::int64_t>(described.ligand->atoms));
+    row.emplace_back(static_cast<std::int64_t>(described.ligand->inside));
+    row.emplace_back(described.ligand->area);
+    row.emplace_back(described.ligand->buried_area);
+}
+
+void add_spread(std::vector<Cell>& row, const Spread& spread) {
+    row.push_back(spread.values > 0 ? Cell(spread.mean) : Cell());
+    row.push_back(spread.values > 1 ? Cell(spread.deviation) : Cell());
+}
+
 }  // namespace
 
 Table pockets_table(const std::vector<DescribedPocket>& pockets) {
@@ -84,30 +105,25 @@ Table pockets_table(const std::vector<DescribedPocket>& pockets) {
                               static_cast<std::int64_t>(c.acceptors),
                               joined(described.residues)});
         std::vector<Cell>& row = table.rows.back();
-        row.emplace_back(described.at);
-        row.emplace_back(static_cast<std::int64_t>(p.site));
-        const LigandFit ligand = described.ligand.value_or(LigandFit{});
-        row.emplace_back(static_cast<std::int64_t>(ligand.atoms));
-        row.emplace_back(static_cast<std::int64_t>(ligand.inside));
-        row.emplace_back(ligand.area);
-        row.emplace_back(ligand.buried_area);
-        row.emplace_back(static_cast<std::int64_t>(described.track));
+        add_place(row, described);
+        row.push_back(described.track == 0 ? Cell() : Cell(static_cast<std::int64_t>(described.track)));
     }
     return table;
 }
 
-Table tracks_table(const std::vector<DescribedTrack>& tracks, std::size_t models) {
+Table tracks_table(const std::vector<DescribedTrack>& tracks, std::size_t models, bool with_tunnels) {
     Table table{{"track", "models", "of", "open", "best_rank", "score", "score_sd", "volume", "volume_sd", "depth",
                  "depth_sd", "mouth_radius", "mouth_radius_sd", "ways", "bottleneck", "bottleneck_sd", "residues"},
                 {}};
     for (const DescribedTrack& described : tracks) {
         const PocketTrack& t = described.track;
-        table.rows.push_back({static_cast<std::int64_t>(described.number), static_cast<std::int64_t>(t.models),
-                              static_cast<std::int64_t>(models), static_cast<std::int64_t>(t.open),
-                              static_cast<std::int64_t>(t.best_rank), t.score.mean, t.score.deviation, t.volume.mean,
-                              t.volume.deviation, t.depth.mean, t.depth.deviation, t.mouth_radius.mean,
-                              t.mouth_radius.deviation, static_cast<std::int64_t>(t.ways), t.bottleneck.mean,
-                              t.bottleneck.deviation, joined(described.residues)});
+        std::vector<Cell>& row = table.rows.emplace_back();
+        for (const std::size_t count : {described.number, t.models, models, t.open, t.best_rank})
+            row.emplace_back(static_cast<std::int64_t>(count));
+        for (const Spread& spread : {t.score, t.volume, t.depth, t.mouth_radius}) add_spread(row, spread);
+        row.push_back(with_tunnels ? Cell(static_cast<std::int64_t>(t.ways)) : Cell());
+        add_spread(row, t.bottleneck);
+        row.emplace_back(joined(described.residues));
     }
     return table;
 }

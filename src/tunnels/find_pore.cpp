@@ -85,7 +85,10 @@ void check(const PoreEnds& ends, const PoreOptions& options) {
     require_positive("min_radius", options.min_radius);
     require_positive("reach", options.reach);
     require_not_negative("start_radius", options.start_radius);
-    if (!is_finite(ends.from) || !is_finite(ends.to)) throw UsageError("an end of the pore is not finite");
+    constexpr double kFarthest = 1e6;  // Å: beyond, coordinates have too few digits
+    for (const Vec3& end : {ends.from, ends.to})
+        if (!is_finite(end) || !(norm(end) <= kFarthest))
+            throw UsageError("an end of the pore is not finite, or farther than 1,000,000 Å from the origin");
     if (!(norm(ends.to - ends.from) > 0.0)) throw UsageError("both ends of the pore are the same");
 }
 
@@ -134,6 +137,9 @@ std::optional<TunnelPath> find_pore(const ExactSurface& exact, const PoreEnds& e
     if (way.points.size() < 2) return std::nullopt;
     cylinder.cut_ends(way.points);
     const TunnelPath path = measured(clearance, resampled(clearance, way));
+    constexpr double kShortest = 0.01;  // Å
+    if (path.length < kShortest)
+        throw UsageError("both ends of the pore lead up to the same place; choose ends farther apart");
     if (run.progress) run.progress("pore", 1.0);
     if (path.bottleneck.radius < options.min_radius) return std::nullopt;
     return path;

@@ -200,6 +200,15 @@ TEST(PocketPlaces, RefusesPlacesThatMakeNoSense) {
     EXPECT_THROW(find(bowl(8.0), at({std::nan(""), 0.0, 0.0}, 4.0)), UsageError);
 }
 
+// Of 0.1 Å³ no voxel has a share worth speaking of: this was scaled by 10^12.
+TEST(Pockets, WhatNoVoxelHoldsIsTheRest) {
+    const Atoms atoms{{{}, {1.0, 0.0, 0.0}}, {1.9, 1.9}};
+    const Pockets pockets = find(atoms);
+    EXPECT_EQ(pockets.scale, 1.0);
+    EXPECT_EQ(pockets.rest_volume, pockets.volume);
+    for (const Check& check : pocket_checks(pockets)) EXPECT_TRUE(check.passed) << check.name;
+}
+
 TEST(Pockets, ASingleAtomHasNone) {
     const Pockets pockets = find({{{1.0, 2.0, 3.0}}, {1.5}});
     EXPECT_TRUE(pockets.pockets.empty());
@@ -245,6 +254,9 @@ TEST(Pockets, RefusesOptionsThatMakeNoSense) {
     EXPECT_THROW(find(atoms, {.probe = 4.0, .large_probe = 4.0}), UsageError);
     EXPECT_THROW(find(atoms, {.spacing = 0.0}), UsageError);
     EXPECT_THROW(find(atoms, {.spacing = 3.0}), UsageError);
+    EXPECT_THROW(find(atoms, {.spacing = 0.1}), UsageError);
+    EXPECT_THROW(find(atoms, {.large_probe = 101.0}), UsageError);
+    EXPECT_THROW(find(atoms, {.large_probe = std::nan("")}), UsageError);
     EXPECT_THROW(find(atoms, {.count = 0}), UsageError);
     const std::vector<AtomClass> too_few(atoms.size() - 1, AtomClass::Other);
     EXPECT_THROW(find_pockets(ExactSurface(atoms), too_few), UsageError);

@@ -88,6 +88,7 @@ TEST(Pore, RefusesOptionsOutOfRange) {
     const ExactSurface exact(testing::ring(30, 7.0, 1.5));
     EXPECT_THROW(find_pore(exact, {{0, 0, 1}, {0, 0, 1}}), UsageError);
     EXPECT_THROW(find_pore(exact, {{0, 0, 1}, {0, 0, NAN}}), UsageError);
+    EXPECT_THROW(find_pore(exact, {{0, 0, 1}, {1e300, 0, 2}}), UsageError);
     EXPECT_THROW(find_pore(exact, {{0, 0, 1}, {0, 0, 2}}, {.min_radius = 0.0}), UsageError);
     EXPECT_THROW(find_pore(exact, {{0, 0, 1}, {0, 0, 2}}, {.reach = 0.0}), UsageError);
 }
