@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include "meniscus/colours.h"
@@ -42,16 +44,65 @@ bool is_nucleotide(const Residue& residue) {
     return std::find(kNames.begin(), kNames.end(), residue.name) != kNames.end();
 }
 
+PageWay way_of(const DescribedWay& described) {
+    const TunnelPath& path = described.path;
+    PageWay way{.radius = path.bottleneck.radius,
+                .distance = path.points[path.bottleneck.point].distance,
+                .bottleneck = path.bottleneck.position,
+                .length = path.length,
+                .curvature = path.curvature};
+    for (const std::string& atom : described.atoms) way.atoms.append(way.atoms.empty() ? "" : ", ").append(atom);
+    if (path.bottleneck.at_end) way.atoms = "at an end, near " + way.atoms;
+    way.profile.reserve(path.points.size());
+    for (const PathPoint& point : path.points) way.profile.push_back({point.distance, point.radius});
+    return way;
+}
+
+std::vector<PageWay> ways_of(const FoundTunnels& found) {
+    std::vector<PageWay> ways;
+    for (const DescribedTunnel& tunnel : found.tunnels.value_or(std::vector<DescribedTunnel>{})) {
+        PageWay way = way_of(tunnel.way);
+        const std::size_t number = ways.size() + 1;
+        way.name =
+            tunnel.pocket ? fmt::format("tunnel {}.{}", *tunnel.pocket, tunnel.rank) : fmt::format("tunnel {}", number);
+        way.from = tunnel.pocket ? fmt::format("pocket {}", *tunnel.pocket) : "start";
+        way.rank = tunnel.rank;
+        if (tunnel.pocket) way.colour = pocket_colour(static_cast<float>(*tunnel.pocket));
+        ways.push_back(std::move(way));
+    }
+    if (found.pore) {
+        ways.push_back(way_of(*found.pore));
+        ways.back().name = ways.back().from = "pore";
+    }
+    return ways;
+}
+
+/// A tube in the colours of its radii; coarser where it is wide.
+Bodies tube_along(const TunnelPath& path) {
+    double widest = 0.0;
+    for (const PathPoint& point : path.points) widest = std::max(widest, point.radius);
+    Bodies tube{tube_of(path, std::clamp(widest / 20.0, 0.3, 1.0)), {}};
+    tube.mesh.components.assign(tube.mesh.vertices.size(), 0);
+    const std::vector<float>& radii = tube.mesh.values.front().values;
+    tube.colours.reserve(radii.size());
+    for (const float radius : radii) tube.colours.push_back(passage_colour(radius));
+    tube.mesh.values.clear();
+    return tube;
+}
+
 }  // namespace
 
 DrawnPockets::DrawnPockets(const ExactSurface& exact, const Pockets& pockets, const Structure& structure,
-                           const RunOptions& run)
-    : bodies_{pocket_bodies(pockets), {}} {
+                           const FoundTunnels& ways, const RunOptions& run)
+    : bodies_{pocket_bodies(pockets), {}}, ways_(ways_of(ways)) {
     surface_ = meniscus::mesh(exact, {}, run);
     surface_.mesh.values.push_back(pocket_values(pockets, surface_.mesh));
     colours_ = colour_vertices(surface_.mesh, structure, kByPocket);
     bodies_.colours = colour_vertices(bodies_.mesh, structure, kByPocket);
     for (Colour& colour : bodies_.colours) colour.alpha = kBodyAlpha;
+    const PathsOfPockets paths = paths_of(ways);
+    for (const TunnelPath& path : paths.tunnels) tubes_ = joined(std::move(tubes_), tube_along(path));
+    if (paths.pore) tubes_ = joined(std::move(tubes_), tube_along(*paths.pore));
 }
 
 Picture DrawnPockets::picture(const Structure& structure, const PictureRequest& request, int threads) const {
@@ -63,7 +114,7 @@ Picture DrawnPockets::picture(const Structure& structure, const PictureRequest& 
                          .scheme = kByPocket,
                          .legend = request.legend,
                          .ligands = request.ligands,
-                         .beside = bodies_});
+                         .beside = joined(bodies_, tubes_)});
 }
 
 std::string DrawnPockets::page(const Structure& structure, const PictureRequest& request,
@@ -76,6 +127,8 @@ std::string DrawnPockets::page(const Structure& structure, const PictureRequest&
                       .rows = page_rows(structure, surface_),
                       .pockets = page_pockets(described),
                       .bodies = &bodies_.mesh,
+                      .ways = ways_,
+                      .tubes = &tubes_,
                       .exact = surface_.exact,
                       .threads = threads});
 }
@@ -88,6 +141,13 @@ void DrawnPockets::write_glb(const std::string& path, const Structure& structure
         const std::uint32_t pocket = bodies_.mesh.components[v];
         named.push_back(
             {fmt::format("pocket {}", pocket + 1), part_of_component(bodies_.mesh, pocket).mesh, bodies_.colours[v]});
+    }
+    for (std::uint32_t w = 0; w < ways_.size(); ++w) {
+        MeshPart tube = part_of_component(tubes_.mesh, w);
+        std::vector<Colour> colours;
+        colours.reserve(tube.vertices.size());
+        for (const VertexId v : tube.vertices) colours.push_back(tubes_.colours[v]);
+        named.push_back({.name = ways_[w].name, .mesh = std::move(tube.mesh), .colours = std::move(colours)});
     }
     const Bodies ligands = with_ligands ? ligand_bodies(structure.ligands, surface_.mesh, colours_) : Bodies{};
     write_mesh(path, surface_.mesh,
