@@ -57,13 +57,13 @@ struct PageWay {
         double distance = 0.0;  ///< from the beginning, Å
         double radius = 0.0;    ///< Å
     };
-    std::string name;                ///< "tunnel 1.2"
-    std::string from;                ///< where it begins: "pocket 1"
+    std::string name{};              ///< "tunnel 1.2"
+    std::string from{};              ///< where it begins: "pocket 1"
     std::size_t rank = 0;            ///< among those that begin there, from 1; 0 for the only one
     std::optional<Colour> colour{};  ///< of the pocket where it begins
     double radius = 0.0;             ///< of the bottleneck, Å
     double distance = 0.0;           ///< of the bottleneck, Å
-    Vec3 bottleneck;                 ///< Å
+    Vec3 bottleneck{};               ///< Å
     std::string atoms{};             ///< at the bottleneck, as text
     double length = 0.0;             ///< Å
     double curvature = 1.0;
