@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 #include "meniscus/colours.h"
@@ -23,6 +25,8 @@ namespace {
 const ColourOptions kByPocket{.scheme = ColourScheme::Pocket};
 constexpr double kSeeThrough = 0.35;      // opacity of the surface in pictures
 constexpr std::uint8_t kBodyAlpha = 191;  // ligands are seen in there
+
+constexpr const char* kPore = "pore";
 
 std::string lining_of(const DescribedPocket& pocket) {
     constexpr std::size_t kMost = 12;
@@ -49,6 +53,8 @@ PageWay way_of(const DescribedWay& described) {
     PageWay way{.radius = path.bottleneck.radius,
                 .distance = path.points[path.bottleneck.point].distance,
                 .bottleneck = path.bottleneck.position,
+                .begin = path.points.front().position,
+                .end = path.points.back().position,
                 .length = path.length,
                 .curvature = path.curvature};
     for (const std::string& atom : described.atoms) way.atoms.append(way.atoms.empty() ? "" : ", ").append(atom);
@@ -72,9 +78,18 @@ std::vector<PageWay> ways_of(const FoundTunnels& found) {
     }
     if (found.pore) {
         ways.push_back(way_of(*found.pore));
-        ways.back().name = ways.back().from = "pore";
+        ways.back().name = ways.back().from = kPore;
     }
     return ways;
+}
+
+/// A pore stands upright, seen from the side, unless one asks for another view.
+std::optional<Viewpoint> view_of(const PictureRequest& request, const std::vector<PageWay>& ways) {
+    if (request.picture.viewpoint || ways.empty() || ways.back().from != kPore) return request.picture.viewpoint;
+    const Vec3 along = ways.back().end - ways.back().begin;
+    if (!(norm(along) > 0.0)) return {};
+    const Vec3 axis = std::abs(along.z) < 0.8 * norm(along) ? Vec3{0.0, 0.0, 1.0} : Vec3{0.0, 1.0, 0.0};
+    return Viewpoint{.from = cross(along, axis), .up = along};
 }
 
 /// A tube in the colours of its radii; coarser where it is wide.
@@ -108,6 +123,7 @@ DrawnPockets::DrawnPockets(const ExactSurface& exact, const Pockets& pockets, co
 Picture DrawnPockets::picture(const Structure& structure, const PictureRequest& request, int threads) const {
     PictureOptions options = request.picture;
     options.opacity = kSeeThrough;
+    options.viewpoint = view_of(request, ways_);
     options.threads = threads;
     return draw_surface(surface_, structure, {surface_.mesh, colours_},
                         {.picture = options,
@@ -121,7 +137,7 @@ std::string DrawnPockets::page(const Structure& structure, const PictureRequest&
                                const std::vector<DescribedPocket>& described, int threads) const {
     return make_page(surface_.mesh, structure,
                      {.colours = kByPocket,
-                      .viewpoint = request.picture.viewpoint,
+                      .viewpoint = view_of(request, ways_),
                       .projection = request.picture.projection,
                       .ligands = request.ligands,
                       .rows = page_rows(structure, surface_),

@@ -287,10 +287,11 @@ const Page = (() => {
       Panel.markWay(i);
       Panel.plotWay(way, scale);
       Panel.showFacts(way.name[0].toUpperCase() + way.name.slice(1),
-                      [["narrowest", Panel.plain(way.radius, 3) + " Å"], ["after", Panel.plain(way.distance, 1) + " Å"],
-                       ["length", Panel.plain(way.length, 1) + " Å"], ["curvature", Panel.plain(way.curvature, 2)],
-                       ["narrowest between", way.atoms]]);
-      this.controls.lookAt(point, Math.max(8, 4 * way.radius));
+                      [["narrowest", Panel.plain(way.radius, 3) + " Å"],
+                       ["at", Panel.plain(way.distance, 1) + " of " + Panel.plain(way.length, 1) + " Å"],
+                       ["curvature", Panel.plain(way.curvature, 2)], ["atoms there", way.atoms]]);
+      const along = new THREE.Vector3(...way.end).sub(new THREE.Vector3(...way.begin));
+      this.controls.lookAt(point, Math.max(10, 4 * way.radius), this.controls.aside(along));
     }
 
     cutThrough(point) {

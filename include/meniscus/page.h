@@ -65,6 +65,8 @@ struct PageWay {
     double distance = 0.0;           ///< of the bottleneck, Å
     Vec3 bottleneck{};               ///< Å
     std::string atoms{};             ///< at the bottleneck, as text
+    Vec3 begin{};                    ///< Å
+    Vec3 end{};                      ///< Å
     double length = 0.0;             ///< Å
     double curvature = 1.0;
     std::vector<Place> profile{};  ///< from the beginning to the end

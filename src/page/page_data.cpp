@@ -175,6 +175,8 @@ ordered_json way_json(const PageWay& way) {
             {"distance", cut_to(way.distance, 1000.0)},
             {"bottleneck", point_json(way.bottleneck)},
             {"atoms", way.atoms},
+            {"begin", point_json(way.begin)},
+            {"end", point_json(way.end)},
             {"length", cut_to(way.length, 100.0)},
             {"curvature", cut_to(way.curvature, 100.0)},
             {"profile", std::move(profile)}};

@@ -307,6 +307,9 @@ class PageTest(unittest.TestCase):
         for a, b in zip(centre, report["pore"]["bottleneck"]):
             self.assertAlmostEqual(a, b, places=3)
         self.assertEqual(self.js("return document.getElementById('picked-name').innerText"), "Pore")
+        along = [b - a for a, b in zip(*(report["pore"]["profile"][i]["position"] for i in (0, -1)))]
+        towards = self.js("return meniscus.controls.view.axis(0, 0, 1).toArray()")   # seen from the side
+        self.assertAlmostEqual(sum(a * b for a, b in zip(along, towards)) / math.hypot(*along), 0, places=4)
         curve = self.js(f"return {plot}.querySelector('.curve').getAttribute('d')")
         self.assertNotEqual(curve, first)
         # The curve comes nearest to the axis where the bottleneck is marked.
