@@ -92,16 +92,30 @@ std::optional<Viewpoint> view_of(const PictureRequest& request, const std::vecto
     return Viewpoint{.from = cross(along, axis), .up = along};
 }
 
-/// A tube in the colours of its radii; coarser where it is wide.
-Bodies tube_along(const TunnelPath& path) {
-    double widest = 0.0;
-    for (const PathPoint& point : path.points) widest = std::max(widest, point.radius);
-    Bodies tube{tube_of(path, std::clamp(widest / 20.0, 0.3, 1.0)), {}};
+/// The balls of a way, so near to each other that what they cover looks smooth; the narrowest is one of them.
+Atoms balls_of(const TunnelPath& path) {
+    constexpr double kStep = 0.15;  // of the radius
+    Atoms balls;
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
+        const auto& [position, distance, radius] = path.points[i];
+        const bool is_needed = i == path.bottleneck.point || i + 1 == path.points.size() || balls.centres.empty();
+        if (!is_needed && norm(position - balls.centres.back()) < kStep * radius) continue;
+        balls.centres.push_back(position);
+        balls.radii.push_back(radius);
+    }
+    return balls;
+}
+
+/// What the balls of a way cover, in the colours of their radii; coarser where it is wide.
+Bodies tube_along(const TunnelPath& path, const RunOptions& run) {
+    const Atoms balls = balls_of(path);
+    const double widest = *std::max_element(balls.radii.begin(), balls.radii.end());
+    const ExactSurface exact(balls, {SurfaceKind::Vdw, 0.0});
+    Bodies tube{meniscus::mesh(exact, {.spacing = std::clamp(widest / 15.0, 0.3, 1.0)}, {.threads = run.threads}).mesh,
+                {}};
     tube.mesh.components.assign(tube.mesh.vertices.size(), 0);
-    const std::vector<float>& radii = tube.mesh.values.front().values;
-    tube.colours.reserve(radii.size());
-    for (const float radius : radii) tube.colours.push_back(passage_colour(radius));
-    tube.mesh.values.clear();
+    tube.colours.reserve(tube.mesh.vertices.size());
+    for (const std::uint32_t ball : tube.mesh.atoms) tube.colours.push_back(passage_colour(balls.radii[ball]));
     return tube;
 }
 
@@ -116,8 +130,8 @@ DrawnPockets::DrawnPockets(const ExactSurface& exact, const Pockets& pockets, co
     bodies_.colours = colour_vertices(bodies_.mesh, structure, kByPocket);
     for (Colour& colour : bodies_.colours) colour.alpha = kBodyAlpha;
     const PathsOfPockets paths = paths_of(ways);
-    for (const TunnelPath& path : paths.tunnels) tubes_ = joined(std::move(tubes_), tube_along(path));
-    if (paths.pore) tubes_ = joined(std::move(tubes_), tube_along(*paths.pore));
+    for (const TunnelPath& path : paths.tunnels) tubes_ = joined(std::move(tubes_), tube_along(path, run));
+    if (paths.pore) tubes_ = joined(std::move(tubes_), tube_along(*paths.pore, run));
 }
 
 Picture DrawnPockets::picture(const Structure& structure, const PictureRequest& request, int threads) const {

@@ -38,9 +38,6 @@ struct VertexValues {
 /// The name of values that tell which pocket a vertex lies beside: its rank, NaN for none.
 inline constexpr const char* kPocketValues = "pocket";
 
-/// The name of values that tell how wide a tube is: the radius where a vertex is, Å.
-inline constexpr const char* kTubeValues = "radius";
-
 /// A triangle mesh. Every vertex array has one entry per vertex, or none at all.
 struct Mesh {
     std::vector<Vec3> vertices;             ///< positions, Å, in the frame of the input

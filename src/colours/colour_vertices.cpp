@@ -91,8 +91,10 @@ Colour pocket_colour(float rank) {
 }
 
 Colour passage_colour(double radius) {
-    constexpr double kDoublings = 3.0;  // from 1 to 8 Å
-    return ramp_colour(passage_ramp(), 1.0 - std::log2(std::max(radius, 1.0)) / kDoublings);
+    constexpr double kDoublings = 4.0;  // from 1 to 16 Å
+    constexpr double kLightest = 0.25;  // what is lighter is lost in a clear surface
+    const double width = std::min(std::log2(std::max(radius, 1.0)) / kDoublings, 1.0);
+    return ramp_colour(passage_ramp(), 1.0 - (1.0 - kLightest) * width);
 }
 
 std::vector<Colour> colour_vertices(const Mesh& mesh, const Structure& structure, const ColourOptions& options) {

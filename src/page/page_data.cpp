@@ -187,8 +187,8 @@ ordered_json ways_json(const std::vector<PageWay>& ways) {
     ordered_json list = ordered_json::array();
     for (const PageWay& way : ways) list.push_back(way_json(way));
     ordered_json scale = ordered_json::array();
-    for (int i = 0; i <= 24; ++i) {
-        const double radius = std::exp2(i / 8.0);  // from 1 to 8 Å
+    for (int i = 0; i <= 32; ++i) {
+        const double radius = std::exp2(i / 8.0);  // from 1 to 16 Å
         scale.push_back({cut_to(radius, 1000.0), hex(passage_colour(radius))});
     }
     return {{"list", std::move(list)}, {"scale", std::move(scale)}};

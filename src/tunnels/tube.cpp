@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <utility>
 #include <vector>
 
 #include "core/perpendicular.h"
@@ -66,21 +65,20 @@ public:
     explicit TubeMesh(std::size_t corners) : corners_(corners) {}
 
     // A ring round a point of the axis; `lean` is the part of its normals along the axis.
-    // width: of the tube there, which is more than that of the ring where it is a part of a half ball
-    void add_ring(const Disc& disc, const Vec3& axis, double lean, double width) {
+    void add_ring(const Disc& disc, const Vec3& axis, double lean) {
         turn_to(axis);
         const Vec3 other = cross(axis, side_);
         const double across = std::sqrt(std::max(0.0, 1.0 - lean * lean));
         for (std::size_t i = 0; i < corners_; ++i) {
             const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(corners_);
             const Vec3 out = std::cos(angle) * side_ + std::sin(angle) * other;
-            add_vertex(disc.centre + disc.radius * out, across * out + lean * axis, width);
+            add_vertex(disc.centre + disc.radius * out, across * out + lean * axis);
         }
         if (mesh_.vertices.size() >= 2 * corners_ + 1) join_rings();
     }
 
-    void add_pole(const Vec3& place, const Vec3& normal, double width) {
-        add_vertex(place, normal, width);
+    void add_pole(const Vec3& place, const Vec3& normal) {
+        add_vertex(place, normal);
         const VertexId pole = last();
         if (pole == 0) return;
         for (std::size_t i = 0; i < corners_; ++i)
@@ -93,10 +91,7 @@ public:
             mesh_.triangles.push_back({0, corner(1 + corners_, i + 1), corner(1 + corners_, i)});
     }
 
-    Mesh take() {
-        mesh_.values.push_back({kTubeValues, std::move(widths_)});
-        return std::move(mesh_);
-    }
+    Mesh take() { return std::move(mesh_); }
 
 private:
     VertexId last() const { return static_cast<VertexId>(mesh_.vertices.size() - 1); }
@@ -105,11 +100,10 @@ private:
         return static_cast<VertexId>(end - corners_ + i % corners_);
     }
 
-    void add_vertex(const Vec3& place, const Vec3& normal, double width) {
+    void add_vertex(const Vec3& place, const Vec3& normal) {
         mesh_.vertices.push_back(place);
         mesh_.normals.push_back(
             {static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)});
-        widths_.push_back(static_cast<float>(width));
     }
 
     void join_rings() {
@@ -131,7 +125,6 @@ private:
     }
 
     Mesh mesh_;
-    std::vector<float> widths_;  // per vertex
     std::size_t corners_;
     Vec3 side_;
 };
@@ -159,12 +152,12 @@ Mesh tube_of(const TunnelPath& path, double edge) {
     };
     TubeMesh tube(static_cast<std::size_t>(corners));
     const auto add_cap_ring = [&](const Disc& disc, const Vec3& axis, double lean) {
-        tube.add_ring({disc.centre + disc.radius * lean * axis, disc.radius * std::sqrt(1.0 - lean * lean)}, axis, lean,
-                      disc.radius);
+        tube.add_ring({disc.centre + disc.radius * lean * axis, disc.radius * std::sqrt(1.0 - lean * lean)}, axis,
+                      lean);
     };
     const auto lean_of = [&](int step) { return std::cos(0.5 * std::numbers::pi * step / steps); };
 
-    tube.add_pole(discs[0].centre - discs[0].radius * axis_at(0), -axis_at(0), discs[0].radius);
+    tube.add_pole(discs[0].centre - discs[0].radius * axis_at(0), -axis_at(0));
     for (int k = 1; k < steps; ++k) {
         add_cap_ring(discs[0], axis_at(0), -lean_of(k));
         if (k == 1) tube.close_begin();
@@ -174,10 +167,10 @@ Mesh tube_of(const TunnelPath& path, double edge) {
         const Disc& after = discs[std::min(i + 1, n - 1)];
         const double length = norm(after.centre - before.centre);
         const double slope = length > 0.0 ? (after.radius - before.radius) / length : 0.0;
-        tube.add_ring(discs[i], axis_at(i), -slope / std::sqrt(1.0 + slope * slope), discs[i].radius);
+        tube.add_ring(discs[i], axis_at(i), -slope / std::sqrt(1.0 + slope * slope));
     }
     for (int k = steps - 1; k > 0; --k) add_cap_ring(discs[n - 1], axis_at(n - 1), lean_of(k));
-    tube.add_pole(discs[n - 1].centre + discs[n - 1].radius * axis_at(n - 1), axis_at(n - 1), discs[n - 1].radius);
+    tube.add_pole(discs[n - 1].centre + discs[n - 1].radius * axis_at(n - 1), axis_at(n - 1));
     return tube.take();
 }
 

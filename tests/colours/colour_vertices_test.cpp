@@ -103,12 +103,12 @@ TEST(ColourVertices, ValuesAreRedBelowZeroBlueAboveAndGreyWhereThereIsNone) {
 
 TEST(PassageColour, IsLighterTheWiderTheTunnelIs) {
     EXPECT_EQ(passage_colour(0.3), passage_colour(1.0));
-    EXPECT_EQ(passage_colour(8.0), passage_colour(40.0));
+    EXPECT_EQ(passage_colour(16.0), passage_colour(40.0));
     const auto light = [](double radius) {
         const Colour c = passage_colour(radius);
         return int{c.red} + int{c.green} + int{c.blue};
     };
-    for (const double radius : {1.0, 1.4, 2.0, 4.0, 6.0}) EXPECT_LT(light(radius), light(1.2 * radius)) << radius;
+    for (const double radius : {1.0, 1.4, 2.0, 4.0, 8.0, 12.0}) EXPECT_LT(light(radius), light(1.2 * radius)) << radius;
     EXPECT_EQ(passage_colour(std::sqrt(8.0)).alpha, 255);
 }
 
