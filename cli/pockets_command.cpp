@@ -129,12 +129,13 @@ private:
         agreed_ = exact.measures().agreed;
         disputed_ = exact.measures().disputed;
         described_ = describe_pockets(pockets_, job.structure, at.places);
-        draw(job, exact, run);
         say_which_places_are_empty(job);
         seconds_ = watch.lap();
         ways_ = find_asked_tunnels(request_.tunnels, exact, pockets_, job.structure, run);
         if (request_.all_models) follow(job.structure);
         tunnel_seconds_ = watch.lap();
+        draw(job, exact, run);
+        seconds_ += watch.lap();
     }
 
     /// What is seen: a surface with pockets, and bodies alone for meshes without a surface.
@@ -145,7 +146,7 @@ private:
         };
         drawn_.reset();
         if (std::none_of(job.outputs.begin(), job.outputs.end(), needs_surface)) return;
-        drawn_.emplace(exact, pockets_, job.structure, run);
+        drawn_.emplace(exact, pockets_, job.structure, ways_, run);
         if (has_kind(job.outputs, OutputKind::Picture)) {
             show("picture", 0.0);
             picture_ = drawn_->picture(job.structure, request_.picture, run.threads);

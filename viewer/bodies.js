@@ -1,26 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// Pockets as bodies beside the surface, clear, so that ligands are seen in them.
+// Bodies beside the surface: pockets, clear, so that ligands are seen in them, and tunnels.
 "use strict";
 
 const Bodies = (() => {
-  const opacity = 0.75;
-
   class Bodies {
     /**
-     * mesh     of Decode.decode()
-     * colours  of its components, as "#rrggbb"
-     * shared   uniforms that the surface has, too
+     * mesh      of Decode.decode()
+     * colourOf  tells the colour of a vertex, three bytes
+     * shared    uniforms that the surface has, too
      */
-    constructor(mesh, colours, shared) {
+    constructor(mesh, colourOf, opacity, shared) {
       const n = mesh.component.length, look = new Uint8Array(2 * n);
       this.component = mesh.component;
       this.tint = new THREE.BufferAttribute(new Uint8Array(4 * n), 4, true);
-      const table = colours.map(colour => Surface.rgb(colour).map(c => Math.round(255 * c)));
       for (let v = 0; v < n; ++v) {
         look[2 * v] = mesh.normals[0][v];
         look[2 * v + 1] = mesh.normals[1][v];
-        this.tint.array.set(table[mesh.component[v]], 4 * v);
+        this.tint.array.set(colourOf(v), 4 * v);
       }
       const geometry = new THREE.BufferGeometry();
       geometry.setIndex(new THREE.BufferAttribute(mesh.corners, 1));
@@ -45,8 +42,7 @@ const Bodies = (() => {
 
     show(shown) { this.group.visible = shown; }
 
-    /** Before a surface through which they are seen, or after one that shines through them. */
-    order(isClear) { this.group.children.forEach((body, i) => body.renderOrder = (isClear ? 6 : 20) + i); }
+    order(first) { this.group.children.forEach((body, i) => body.renderOrder = first + i); }
 
     /** Shows one more solidly than the others, or none (-1). */
     mark(chosen) {

@@ -174,8 +174,16 @@ const Controls = (() => {
       this.atFirst = true;
     }
 
-    /** Looks at a point of the molecule and what lies within `half` Å of it, from the same side as now. */
-    lookAt(point, half) { this.fly(new View(point.clone(), this.view.turn.clone(), half || this.view.half)); }
+    /** Looks at a point of the molecule and what lies within `half` Å of it, from the same side as now or another. */
+    lookAt(point, half, turn = this.view.turn) { this.fly(new View(point.clone(), turn.clone(), half || this.view.half)); }
+
+    /** The turn that is nearest to now's and sees a direction from the side. */
+    aside(direction) {
+      const towards = this.view.axis(0, 0, 1), along = direction.clone().normalize();
+      const across = towards.clone().addScaledVector(along, -along.dot(towards));
+      if (across.length() < 1e-3) across.copy(this.view.axis(1, 0, 0));
+      return new THREE.Quaternion().setFromUnitVectors(towards, across.normalize()).multiply(this.view.turn);
+    }
 
     /** The ray through a point of the window: {origin, direction} in the molecule's frame. */
     ray(clientX, clientY) {

@@ -113,14 +113,17 @@ const Decode = (() => {
       atoms: atoms("ligand-", info.ligands.atoms),
       bonds: sums(stream("ligand-bonds"), 2 * info.ligands.bonds, Uint32Array),
     };
-    // Pockets as bodies, each a component; undefined where there are none.
-    const bodies = info.bodies && {
-      corners: corners(stream("body-triangles"), info.bodies.triangles),
-      points: interleaved(...["x", "y", "z"].map(name => axis("body-" + name, info.bodies.vertices))),
-      normals: [byteSums(stream("body-nu")), byteSums(stream("body-nv"))],
-      component: sums(stream("body-component"), info.bodies.vertices, Uint32Array),
-    };
-    return {info, bodies, mesh, stream, atoms: atoms("atom-", info.atoms), ligands};
+    /** Meshes beside the surface, each a component. */
+    const beside = (kind, {triangles, vertices}) => ({
+      corners: corners(stream(kind + "triangles"), triangles),
+      points: interleaved(...["x", "y", "z"].map(name => axis(kind + name, vertices))),
+      normals: [byteSums(stream(kind + "nu")), byteSums(stream(kind + "nv"))],
+      component: sums(stream(kind + "component"), vertices, Uint32Array),
+    });
+    // Pockets, and tunnels as tubes; undefined where there are none.
+    const bodies = info.bodies && beside("body-", info.bodies);
+    const tubes = info.tubes && beside("tube-", info.tubes);
+    return {info, bodies, tubes, mesh, stream, atoms: atoms("atom-", info.atoms), ligands};
   }
 
   return {decode, embedded};

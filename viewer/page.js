@@ -6,6 +6,7 @@
 const Page = (() => {
   const {$} = Panel;
   const patchNames = ["contact", "toroidal", "reentrant"];
+  const bodyOpacity = 0.75;  // of pockets
   const seeThrough = 0.35;   // opacity that lets one see what is beneath
 
   class Page {
@@ -28,6 +29,7 @@ const Page = (() => {
       this.scene.add(this.surface.group, this.atoms.group);
       this.addLigands(data.ligands);
       this.addBodies(data.bodies);
+      this.addTubes(data.tubes);
       this.marker = this.makeMarker();
       this.controls = new Controls(this.canvas, this.extent(), this.info.view, () => this.draw(), this.left.signal);
       this.plane = null;
@@ -49,19 +51,33 @@ const Page = (() => {
 
     addBodies(mesh) {
       if (!mesh) return;
-      this.bodies = new Bodies(mesh, this.info.pockets.map(pocket => pocket.colour), this.shared);
+      const colours = this.info.pockets.map(pocket => Surface.rgb(pocket.colour).map(c => Math.round(255 * c)));
+      this.bodies = new Bodies(mesh, v => colours[mesh.component[v]], bodyOpacity, this.shared);
       this.surface.setFilled(true);
       this.scene.add(this.bodies.group);
     }
 
-    /** What the first view shows: the surface and the ligands, or the atoms if there is no surface. */
+    /** Tunnels are solid, and seen through the bodies of pockets. */
+    addTubes(mesh) {
+      if (!mesh) return;
+      const planes = this.data.stream("tube-colours"), n = mesh.component.length;
+      this.tubes = new Bodies(mesh, v => [planes[v], planes[n + v], planes[2 * n + v]], 1, this.shared);
+      this.tubes.order(3);
+      this.surface.setFilled(true);
+      this.scene.add(this.tubes.group);
+    }
+
+    /** What the first view shows: the surface with what is beside it, or the atoms if there is no surface. */
     extent() {
-      const {mesh, atoms, ligands} = this.data;
+      const {mesh, atoms, ligands, tubes} = this.data;
       if (mesh.points.length === 0) return {points: atoms.points, margin: 2};
-      if (!ligands) return {points: mesh.points, margin: 0};
-      const points = new Float32Array(mesh.points.length + ligands.atoms.points.length);
-      points.set(mesh.points);
-      points.set(ligands.atoms.points, mesh.points.length);
+      const shown = [mesh.points, ...(ligands ? [ligands.atoms.points] : []), ...(tubes ? [tubes.points] : [])];
+      if (shown.length === 1) return {points: mesh.points, margin: 0};
+      const points = new Float32Array(shown.reduce((sum, part) => sum + part.length, 0));
+      shown.reduce((place, part) => {
+        points.set(part, place);
+        return place + part.length;
+      }, 0);
       return {points, margin: 0};
     }
 
@@ -84,9 +100,12 @@ const Page = (() => {
       Panel.fillSchemes(this.info.schemes, this.info.scheme);
       Panel.fillCavities(this.info.cavities, this.info.ligandsLeftOut, i => this.flyToCavity(i));
       Panel.fillPockets(this.info.pockets || [], i => this.flyToPocket(i));
-      $("body-row").hidden = !this.bodies;
-      $("bodies").checked = true;
-      if (this.bodies) this.setOpacity(100 * seeThrough);
+      const ways = this.info.ways ? this.info.ways.list : [];
+      Panel.fillWays(ways, i => this.flyToWay(i));
+      if (ways.length > 0) Panel.plotWay(ways[0], this.info.ways.scale);
+      for (const [id, bodies] of [["body-row", this.bodies], ["tube-row", this.tubes]]) $(id).hidden = !bodies;
+      for (const id of ["bodies", "tubes"]) $(id).checked = true;
+      if (this.bodies || this.tubes) this.setOpacity(100 * seeThrough);
       const {grouped} = Panel;
       $("subtitle").textContent = `${grouped(this.info.atoms.count)} atoms · ${grouped(this.info.triangles)} triangles`;
       $("perspective").checked = this.controls.inPerspective;
@@ -167,7 +186,8 @@ const Page = (() => {
       $("opacity").value = percent;
       $("opacity-text").textContent = percent + " %";
       this.surface.setOpacity(percent / 100);
-      if (this.bodies) this.bodies.order(percent < 100);
+      // Before a surface through which they are seen, or after one that shines through them.
+      if (this.bodies) this.bodies.order(percent < 100 ? 6 : 20);
       this.draw();
     }
 
@@ -185,9 +205,11 @@ const Page = (() => {
       this.draw();
     }
 
-    showBodies(shown) {
-      this.bodies.show(shown);
-      this.surface.setFilled(shown);
+    showBodies() {
+      const pockets = this.bodies && $("bodies").checked, tunnels = this.tubes && $("tubes").checked;
+      if (this.bodies) this.bodies.show(pockets);
+      if (this.tubes) this.tubes.show(tunnels);
+      this.surface.setFilled(Boolean(pockets || tunnels));
       this.draw();
     }
 
@@ -254,6 +276,22 @@ const Page = (() => {
                                                 ["opens further in", pocket.cavity ? "" : holes(pocket.openings, pocket.openingArea)],
                                                 ["lined by", pocket.lining]]);
       this.controls.lookAt(point, Math.max(6, 2.5 * Math.cbrt(pocket.volume * 3 / (4 * Math.PI))));
+    }
+
+    flyToWay(i) {
+      const {list, scale} = this.info.ways, way = list[i];
+      const point = new THREE.Vector3(...way.bottleneck.map((c, k) => c - this.info.low[k]));
+      if (!this.plane && this.surface.opacity > seeThrough) this.setOpacity(100 * seeThrough);
+      if (this.plane) this.cutThrough(point);
+      this.forget();
+      Panel.markWay(i);
+      Panel.plotWay(way, scale);
+      Panel.showFacts(way.name[0].toUpperCase() + way.name.slice(1),
+                      [["narrowest", Panel.plain(way.radius, 3) + " Å"],
+                       ["at", Panel.plain(way.distance, 1) + " of " + Panel.plain(way.length, 1) + " Å"],
+                       ["curvature", Panel.plain(way.curvature, 2)], ["atoms there", way.atoms]]);
+      const along = new THREE.Vector3(...way.end).sub(new THREE.Vector3(...way.begin));
+      this.controls.lookAt(point, Math.max(10, 4 * way.radius), this.controls.aside(along));
     }
 
     cutThrough(point) {
@@ -354,6 +392,7 @@ const Page = (() => {
     unmarkLists() {
       Panel.markCavity(-1);
       Panel.markPocket(-1);
+      Panel.markWay(-1);
       if (this.bodies) this.bodies.mark(-1);
     }
 
@@ -412,7 +451,7 @@ const Page = (() => {
       on("opacity", "input", () => this.setOpacity(+$("opacity").value));
       for (const how of ["none", "sticks", "spheres"]) on("atoms-" + how, "change", () => this.setAtoms(how));
       on("ligands", "change", () => this.showLigands($("ligands").checked));
-      on("bodies", "change", () => this.showBodies($("bodies").checked));
+      for (const id of ["bodies", "tubes"]) on(id, "change", () => this.showBodies());
       on("clip", "input", () => this.setCut($("clip").value / 1000));
       on("align", "click", () => this.alignCut());
       on("perspective", "change", () => {

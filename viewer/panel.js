@@ -134,6 +134,78 @@ const Panel = (() => {
     [...$("pocket-list").rows].forEach((row, i) => row.classList.toggle("chosen", i === chosen));
   }
 
+  /** A list of tunnels and pores. */
+  function fillWays(ways, chosen) {
+    $("ways").hidden = ways.length === 0;
+    const pores = ways.filter(way => way.from === "pore").length;
+    $("ways-title").textContent = pores === 0 ? "Tunnels" : pores === ways.length ? "Pore" : "Tunnels and pore";
+    $("way-list").replaceChildren();
+    ways.forEach((way, i) => {
+      const row = element("tr"), first = element("td"), button = element("button", undefined, {type: "button"});
+      if (way.colour) button.append(swatch(way.colour));
+      button.append(element("span", way.from));
+      button.setAttribute("aria-label", "Go to the narrowest place of " + way.name);
+      first.append(button);
+      const numbers = [way.rank ? String(way.rank) : "", plain(way.radius, 2), plain(way.length, 1)];
+      row.append(first, ...numbers.map(text => element("td", text)));
+      row.addEventListener("click", () => chosen(i));
+      $("way-list").append(row);
+    });
+  }
+
+  function markWay(chosen) {
+    [...$("way-list").rows].forEach((row, i) => row.classList.toggle("chosen", i === chosen));
+  }
+
+  /** 0 and round numbers up to `most`, about `count` of them. */
+  function roundNumbers(most, count) {
+    const rough = most / count, power = 10 ** Math.floor(Math.log10(rough));
+    const step = power * [1, 2, 5, 10].find(s => s * power >= rough);
+    return Array.from({length: Math.floor(most / step * (1 + 1e-9)) + 1}, (_, i) => +(i * step).toPrecision(6));
+  }
+
+  /**
+   * Plots the radius along a tunnel, in the colours of its tube.
+   *
+   * scale   radii and their colours, in rising order
+   */
+  function plotWay(way, scale) {
+    const svg = $("profile"), [wide, high] = [300, 170], [left, right, top, bottom] = [34, 292, 18, 132];
+    const svgElement = (tag, attributes, text) => {
+      const e = document.createElementNS("http://www.w3.org/2000/svg", tag);
+      for (const name in attributes) e.setAttribute(name, attributes[name]);
+      if (text !== undefined) e.textContent = text;
+      return e;
+    };
+    const length = Math.max(way.length, 1e-3), most = 1.08 * Math.max(...way.profile.map(([, radius]) => radius));
+    const x = distance => +(left + (right - left) * distance / length).toFixed(2);
+    const y = radius => +(bottom - (bottom - top) * radius / most).toFixed(2);
+    const line = (from, to, kind) => svgElement("line", {x1: from[0], y1: from[1], x2: to[0], y2: to[1], class: kind});
+    const text = (at, anchor, words, kind = "") => svgElement("text", {x: at[0], y: at[1], "text-anchor": anchor, class: kind}, words);
+    const said = plain(way.radius, 2) + " Å";
+    $("profile-title").textContent = "Radius along " + (way.name === "pore" ? "the pore" : way.name);
+    const about = svgElement("desc", {id: "profile-text"}, `narrowest: ${said} at ${plain(way.distance, 1)} Å of ${plain(way.length, 1)} Å`);
+    svg.setAttribute("viewBox", `0 0 ${wide} ${high}`);
+    svg.replaceChildren(about);
+    const shades = svgElement("linearGradient", {id: "shades", gradientUnits: "userSpaceOnUse", x1: 0, y1: y(0), x2: 0, y2: y(most)});
+    for (const [radius, colour] of scale)
+      if (radius <= most) shades.append(svgElement("stop", {offset: radius / most, "stop-color": colour}));
+    svg.append(shades);
+    for (const radius of roundNumbers(most, 4))
+      svg.append(line([left, y(radius)], [right, y(radius)], "grid"), text([left - 6, y(radius) + 4], "end", short(radius)));
+    for (const distance of roundNumbers(length, 5))
+      svg.append(line([x(distance), bottom], [x(distance), bottom + 4], "axis"), text([x(distance), bottom + 16], "middle", short(distance)));
+    const curve = way.profile.map(([distance, radius]) => x(distance) + " " + y(radius)).join("L");
+    svg.append(
+      svgElement("path", {d: `M${x(0)} ${bottom}L${curve}L${right} ${bottom}Z`, fill: "url(#shades)"}),
+      svgElement("path", {d: "M" + curve, class: "curve", fill: "none"}),
+      line([left, bottom], [right, bottom], "axis"),
+      text([left - 26, top - 6], "start", "radius, Å"), text([(left + right) / 2, high - 4], "middle", "distance, Å"));
+    const at = [x(way.distance), y(way.radius)], isRight = at[0] > (left + right) / 2;
+    svg.append(line([at[0], top - 2], at, "mark"), svgElement("circle", {cx: at[0], cy: at[1], r: 3.5}),
+               text([at[0] + (isRight ? -4 : 4), top + 5], isRight ? "end" : "start", said, "of-bottleneck"));
+  }
+
   function fillSchemes(schemes, first) {
     $("scheme").replaceChildren();
     for (const scheme of schemes) $("scheme").append(element("option", scheme.label, {value: scheme.id}));
@@ -157,6 +229,6 @@ const Panel = (() => {
   }
 
   return {$, element, plain, grouped, short, residueOf, atomName, atomTitle, shapeWord, showLegend, showFacts, fillCavities, markCavity,
-          fillPockets, markPocket,
+          fillPockets, markPocket, fillWays, markWay, plotWay,
           fillSchemes, showTip, download};
 })();

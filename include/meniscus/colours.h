@@ -38,6 +38,10 @@ std::optional<Colour> colour_of_text(std::string_view text);
 /// The colour of the pocket of a rank, from 1; grey for none (NaN).
 Colour pocket_colour(float rank);
 
+/// The colour of a place on a tunnel, by its radius, Å: dark violet up to 1 Å, lighter with its logarithm to pale pink
+/// from 16 Å.
+Colour passage_colour(double radius);
+
 /// How deep in pockets and cavities every vertex lies, Å: its depth below the SES of a probe of kDepthProbe, 0 outside
 /// that SES. The array is called "depth".
 ///

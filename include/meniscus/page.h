@@ -50,6 +50,28 @@ struct PagePocket {
     std::string lining{};       ///< residues, as text
 };
 
+/// A tunnel or a pore in the list of a page, with its radii for a plot.
+struct PageWay {
+    /// A place on it.
+    struct Place {
+        double distance = 0.0;  ///< from the beginning, Å
+        double radius = 0.0;    ///< Å
+    };
+    std::string name{};              ///< "tunnel 1.2"
+    std::string from{};              ///< where it begins: "pocket 1"
+    std::size_t rank = 0;            ///< among those that begin there, from 1; 0 for the only one
+    std::optional<Colour> colour{};  ///< of the pocket where it begins
+    double radius = 0.0;             ///< of the bottleneck, Å
+    double distance = 0.0;           ///< of the bottleneck, Å
+    Vec3 bottleneck{};               ///< Å
+    std::string atoms{};             ///< at the bottleneck, as text
+    Vec3 begin{};                    ///< Å
+    Vec3 end{};                      ///< Å
+    double length = 0.0;             ///< Å
+    double curvature = 1.0;
+    std::vector<Place> profile{};  ///< from the beginning to the end
+};
+
 /// What a page shows.
 struct PageOptions {
     ColourOptions colours{};               ///< the scheme shown first; its range holds for that scheme throughout
@@ -63,6 +85,8 @@ struct PageOptions {
     std::vector<PagePocket> pockets{};  ///< the list of pockets, in the order shown
     const Mesh* bodies = nullptr;       ///< of pockets, with normals; `components` index `pockets`; shown clear, and
                                         ///< the surface around them at first
+    std::vector<PageWay> ways{};        ///< the list of tunnels and pores, in the order shown
+    const Bodies* tubes = nullptr;      ///< their tubes, solid; the surface around them is clear at first
     ExactSurface exact{};  ///< an exact surface of the structure's atoms, if there is one, to save building it again
     int threads = 0;       ///< 0: all cores; the page does not depend on it
 };

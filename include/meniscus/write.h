@@ -30,11 +30,12 @@ struct VertexArray {
     std::variant<std::span<const std::uint32_t>, std::span<const float>> values;
 };
 
-/// A mesh beside another one, under a name, in one colour, whose alpha is its opacity.
+/// A mesh beside another one, under a name, in one colour, whose alpha is its opacity, or with colours of its vertices.
 struct NamedMesh {
     std::string name;
     Mesh mesh;  ///< with normals
-    Colour colour;
+    Colour colour{};
+    std::vector<Colour> colours{};  ///< one per vertex instead, or none
 };
 
 /// What is written beside the mesh, and how.
@@ -45,7 +46,7 @@ struct WriteOptions {
     std::span<const Colour> colours{};     ///< one per vertex, or none; written by PLY, GLB, VTP and NPZ
     const Structure* structure = nullptr;  ///< the structure that Mesh::atoms index; adds the vertex array `residue`
     const Bodies* beside = nullptr;        ///< ligands; written by GLB as a node of that name beside the surface
-    std::span<const NamedMesh> named{};    ///< pockets; written by GLB as a node each
+    std::span<const NamedMesh> named{};    ///< pockets and tunnels; written by GLB as a node each
     const SurfaceOptions* computed_with = nullptr;  ///< written by NPZ together with the structure
     std::optional<double> probe{};                  ///< probe radius, Å; written by GLB, VTP and MSMS pairs
     /// A lower bound of the length of all edges, Å, such as MeshMeasures::shortest_edge, to save a search; 0: unknown.

@@ -90,6 +90,13 @@ Colour pocket_colour(float rank) {
     return std::isnan(rank) || rank < 1.0F ? kNeutral : distinct_colour(static_cast<std::size_t>(rank));
 }
 
+Colour passage_colour(double radius) {
+    constexpr double kDoublings = 4.0;  // from 1 to 16 Å
+    constexpr double kLightest = 0.25;  // what is lighter is lost in a clear surface
+    const double width = std::min(std::log2(std::max(radius, 1.0)) / kDoublings, 1.0);
+    return ramp_colour(passage_ramp(), 1.0 - (1.0 - kLightest) * width);
+}
+
 std::vector<Colour> colour_vertices(const Mesh& mesh, const Structure& structure, const ColourOptions& options) {
     check_options(options);
     if (const auto features = feature_colours(structure, options)) return by_feature(mesh, structure, *features);

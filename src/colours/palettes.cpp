@@ -33,6 +33,10 @@ constexpr std::array kYlOrBr{
     rgb(0xFFFFE5), rgb(0xFFF7BC), rgb(0xFEE391), rgb(0xFEC44F), rgb(0xFE9929),
     rgb(0xEC7014), rgb(0xCC4C02), rgb(0x993404), rgb(0x662506),
 };
+constexpr std::array kRdPu{
+    rgb(0xFFF7F3), rgb(0xFDE0DD), rgb(0xFCC5C0), rgb(0xFA9FB5), rgb(0xF768A1),
+    rgb(0xDD3497), rgb(0xAE017E), rgb(0x7A0177), rgb(0x49006A),
+};
 constexpr std::array kYlGnBu{
     rgb(0xFFFFD9), rgb(0xEDF8B1), rgb(0xC7E9B4), rgb(0x7FCDBB), rgb(0x41B6C4),
     rgb(0x1D91C0), rgb(0x225EA8), rgb(0x253494), rgb(0x081D58),
@@ -63,5 +67,6 @@ std::span<const Colour> potential_ramp() { return kBuRd; }
 std::span<const Colour> hydropathy_ramp() { return kBrBG; }
 std::span<const Colour> warm_ramp() { return kYlOrBr; }
 std::span<const Colour> cold_ramp() { return kYlGnBu; }
+std::span<const Colour> passage_ramp() { return kRdPu; }
 
 }  // namespace meniscus

@@ -44,5 +44,6 @@ std::span<const Colour> potential_ramp();   ///< the same from red, as electrost
 std::span<const Colour> hydropathy_ramp();  ///< BrBG from green
 std::span<const Colour> warm_ramp();        ///< YlOrBr: B factors
 std::span<const Colour> cold_ramp();        ///< YlGnBu: depth
+std::span<const Colour> passage_ramp();     ///< RdPu: tunnels
 
 }  // namespace meniscus

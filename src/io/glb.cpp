@@ -135,8 +135,7 @@ public:
         add_triangles();
         if (options.beside != nullptr && !options.beside->mesh.triangles.empty()) add_ligands(*options.beside);
         for (const NamedMesh& named : options.named)
-            if (!named.mesh.triangles.empty())
-                add_node(named.name, add_shape(named.mesh), colour_material(named.colour));
+            if (!named.mesh.triangles.empty()) add_named(named);
     }
 
     void write() {
@@ -230,12 +229,23 @@ private:
         return {{"attributes", {{"POSITION", first}, {"NORMAL", first + 1}}}, {"indices", first + 2}};
     }
 
-    void add_ligands(const Bodies& bodies) {
-        ordered_json primitive = add_shape(bodies.mesh);
+    ordered_json add_coloured_shape(const Mesh& mesh, const std::vector<Colour>& colours) {
+        ordered_json primitive = add_shape(mesh);
         primitive["attributes"]["COLOR_0"] = sections_.size();
-        add_section<LinearColour>(colours_accessor(), bodies.colours.size(),
-                                  [&bodies](std::size_t v) { return to_linear(bodies.colours[v]); });
-        add_node("ligands", std::move(primitive), {{"pbrMetallicRoughness", look()}});
+        add_section<LinearColour>(colours_accessor(), colours.size(),
+                                  [&colours](std::size_t v) { return to_linear(colours[v]); });
+        return primitive;
+    }
+
+    void add_ligands(const Bodies& bodies) {
+        add_node("ligands", add_coloured_shape(bodies.mesh, bodies.colours), {{"pbrMetallicRoughness", look()}});
+    }
+
+    void add_named(const NamedMesh& named) {
+        if (named.colours.empty())
+            add_node(named.name, add_shape(named.mesh), colour_material(named.colour));
+        else
+            add_node(named.name, add_coloured_shape(named.mesh, named.colours), {{"pbrMetallicRoughness", look()}});
     }
 
     void add_node(const std::string& name, ordered_json primitive, ordered_json material) {

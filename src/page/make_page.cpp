@@ -30,7 +30,7 @@ PictureOptions still_picture(const PageOptions& options) {
             .viewpoint = options.viewpoint,
             .projection = options.projection,
             .background = kTransparent,
-            .opacity = options.bodies != nullptr ? kSeeThrough : 1.0,
+            .opacity = options.bodies != nullptr || options.tubes != nullptr ? kSeeThrough : 1.0,
             .threads = options.threads};
 }
 
@@ -52,8 +52,9 @@ std::string picture_by(const page::VertexExtras& extras, const Mesh& mesh, const
     const Bodies ligands =
         options.ligands ? ligand_bodies(structure.ligands, mesh, page::colours_shown(mesh, structure, options.colours))
                         : Bodies{};
-    return encode_png(
-        draw_picture_by(extras.sky, mesh, colours, still_picture(options), joined(ligands, bodies_of(options))));
+    const Bodies tubes = options.tubes != nullptr ? *options.tubes : Bodies{};
+    return encode_png(draw_picture_by(extras.sky, mesh, colours, still_picture(options),
+                                      joined(joined(ligands, bodies_of(options)), tubes)));
 }
 
 }  // namespace

@@ -137,11 +137,11 @@ void add_mesh(Streams& streams, const Mesh& mesh, const VertexExtras& extras, co
     add_brought_values(streams, mesh, order);
 }
 
-std::size_t add_bodies(Streams& streams, const Mesh& mesh, const Vec3& low) {
-    const VertexOrder order = order_of_use(mesh);
-    add_shape(streams, "body-", mesh, order, low);
-    add_components(streams, "body-", mesh, order);
-    return order.vertices.size();
+std::vector<VertexId> add_bodies(Streams& streams, const std::string& kind, const Mesh& mesh, const Vec3& low) {
+    VertexOrder order = order_of_use(mesh);
+    add_shape(streams, kind, mesh, order, low);
+    add_components(streams, kind, mesh, order);
+    return order.vertices;
 }
 
 }  // namespace meniscus::page

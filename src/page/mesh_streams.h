@@ -52,8 +52,10 @@ std::pair<std::uint8_t, std::uint8_t> octahedral(const Vec3& normal);
 /// low   the smallest coordinates of the vertices
 void add_mesh(Streams& streams, const Mesh& mesh, const VertexExtras& extras, const Vec3& low);
 
-/// Adds body-triangles, body-x, body-y, body-z, body-nu, body-nv, body-component.
-/// returns   how many vertices triangles use
-std::size_t add_bodies(Streams& streams, const Mesh& mesh, const Vec3& low);
+/// Adds triangles, x, y, z, nu, nv and component.
+///
+/// kind      how the names of the streams begin: "body-"
+/// returns   the vertices that triangles use, in the order of the streams
+std::vector<VertexId> add_bodies(Streams& streams, const std::string& kind, const Mesh& mesh, const Vec3& low);
 
 }  // namespace meniscus::page

@@ -163,6 +163,44 @@ ordered_json pockets_json(const std::vector<PagePocket>& pockets) {
     return list;
 }
 
+ordered_json way_json(const PageWay& way) {
+    ordered_json profile = ordered_json::array();
+    for (const PageWay::Place& place : way.profile)
+        profile.push_back({cut_to(place.distance, 1000.0), cut_to(place.radius, 1000.0)});
+    return {{"name", way.name},
+            {"from", way.from},
+            {"rank", way.rank},
+            {"colour", way.colour ? ordered_json(hex(*way.colour)) : ordered_json()},
+            {"radius", cut_to(way.radius, 1000.0)},
+            {"distance", cut_to(way.distance, 1000.0)},
+            {"bottleneck", point_json(way.bottleneck)},
+            {"atoms", way.atoms},
+            {"begin", point_json(way.begin)},
+            {"end", point_json(way.end)},
+            {"length", cut_to(way.length, 100.0)},
+            {"curvature", cut_to(way.curvature, 100.0)},
+            {"profile", std::move(profile)}};
+}
+
+/// Tunnels and pores, and what the colours along them mean.
+ordered_json ways_json(const std::vector<PageWay>& ways) {
+    ordered_json list = ordered_json::array();
+    for (const PageWay& way : ways) list.push_back(way_json(way));
+    ordered_json scale = ordered_json::array();
+    for (int i = 0; i <= 32; ++i) {
+        const double radius = std::exp2(i / 8.0);  // from 1 to 16 Å
+        scale.push_back({cut_to(radius, 1000.0), hex(passage_colour(radius))});
+    }
+    return {{"list", std::move(list)}, {"scale", std::move(scale)}};
+}
+
+ordered_json add_tubes(Streams& streams, const Bodies& tubes, const Vec3& low) {
+    std::vector<Colour> colours;
+    for (const VertexId v : add_bodies(streams, "tube-", tubes.mesh, low)) colours.push_back(tubes.colours[v]);
+    streams.add("tube-colours", planes_of(colours));
+    return {{"triangles", tubes.mesh.triangles.size()}, {"vertices", colours.size()}};
+}
+
 std::span<const Vec3> points_of_view(const Mesh& mesh, const Structure& structure) {
     return mesh.vertices.empty() ? structure.atoms.centres : mesh.vertices;
 }
@@ -238,7 +276,10 @@ std::string page_data(const Mesh& mesh, const Structure& structure, const PageOp
     if (!options.pockets.empty()) data["pockets"] = pockets_json(options.pockets);
     if (options.bodies != nullptr && !options.bodies->triangles.empty())
         data["bodies"] = {{"triangles", options.bodies->triangles.size()},
-                          {"vertices", add_bodies(streams, *options.bodies, low)}};
+                          {"vertices", add_bodies(streams, "body-", *options.bodies, low).size()}};
+    if (!options.ways.empty()) data["ways"] = ways_json(options.ways);
+    if (options.tubes != nullptr && !options.tubes->mesh.triangles.empty())
+        data["tubes"] = add_tubes(streams, *options.tubes, low);
     data["ligandsLeftOut"] = list_of_counts(structure.left_out_ligands);
     data["rows"] = rows_json(options.rows);
     data["streams"] = places_json(streams);

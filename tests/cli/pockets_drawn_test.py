@@ -84,6 +84,58 @@ class DrawnPocketsTest(ProgramTest):
         names = [node["name"] for node in glb_json(self.folder / "p.glb")["nodes"]]
         self.assertEqual(names, ["surface"] + [f"pocket {row['rank']}" for row in self.rows("p.csv")])
 
+    def test_tunnels_and_pores_are_nodes_in_colours(self):
+        self.pockets(UBIQUITIN, "-o", "p.glb", "--report", "p.json", "--count", 2, "--tunnels", "--pore", "z", "--tunnel-count", 2)
+        gltf = glb_json(self.folder / "p.glb")
+        report = json.loads((self.folder / "p.json").read_text())
+        ways = {f"tunnel {t['pocket']}.{t['rank']}": t for t in report["tunnels"]} | {"pore": report["pore"]}
+        self.assertGreater(len(ways), 2)
+        names = [node["name"] for node in gltf["nodes"]]
+        self.assertEqual(names[-len(ways):], list(ways))
+        for node in gltf["nodes"][-len(ways):]:
+            primitive = gltf["meshes"][node["mesh"]]["primitives"][0]
+            places, colours = (gltf["accessors"][primitive["attributes"][name]] for name in ("POSITION", "COLOR_0"))
+            self.assertEqual(places["count"], colours["count"])
+            self.assertNotIn("alphaMode", gltf["materials"][primitive["material"]])
+            way = ways[node["name"]]
+            for end in (way["profile"][0], way["profile"][-1]):   # as wide as its balls, ends included
+                for k in range(3):
+                    self.assertGreater(end["position"][k] - end["radius"], places["min"][k] - 0.5)
+                    self.assertLess(end["position"][k] + end["radius"], places["max"][k] + 0.5)
+            box = [high - low for low, high in zip(places["min"], places["max"])]
+            self.assertLess(max(box), way["length"] + 2 * max(p["radius"] for p in way["profile"]) + 0.1)
+
+    def test_pages_have_the_tunnels_of_the_report(self):
+        self.pockets(UBIQUITIN, "-o", "p.html", "--report", "p.json", "--count", 1, "--tunnels", "--pore", "z",
+                     "--tunnels-from", "//A/1")
+        info, report = page_info(self.folder / "p.html"), json.loads((self.folder / "p.json").read_text())
+        ways, found = info["ways"]["list"], [*report["tunnels"], report["pore"]]
+        self.assertEqual(len(ways), len(found))
+        self.assertEqual([w["from"] for w in ways][-1], "pore")
+        for i, (shown, way) in enumerate(zip(ways, found)):
+            if "rank" in way:
+                self.assertEqual(shown["name"], f"tunnel {way['pocket']}.{way['rank']}" if way["pocket"] else f"tunnel {i + 1}")
+                self.assertEqual(shown["rank"], way["rank"])
+            self.assertAlmostEqual(shown["radius"], way["bottleneck_radius"], delta=0.0006)
+            self.assertEqual(shown["bottleneck"], way["bottleneck"])
+            self.assertEqual(len(shown["profile"]), len(way["profile"]))
+            self.assertAlmostEqual(min(radius for _, radius in shown["profile"]), shown["radius"], delta=0.01)
+            distance, _ = min(shown["profile"], key=lambda place: place[1])
+            self.assertAlmostEqual(shown["distance"], distance, delta=0.3)
+        self.assertEqual(info["ways"]["scale"][0][0], 1.0)
+        self.assertGreater(info["tubes"]["triangles"], 100)
+
+    def test_pages_without_tunnels_have_no_tubes(self):
+        self.pockets(UBIQUITIN, "-o", "p.html", "--count", 1, "--tunnels", "--tunnel-radius", 9)
+        info = page_info(self.folder / "p.html")
+        self.assertNotIn("ways", info)
+        self.assertNotIn("tubes", info)
+
+    def test_tunnels_are_in_pictures(self):
+        for name, options in (("with.png", ["--pore", "z"]), ("without.png", [])):
+            self.pockets(UBIQUITIN, "-o", name, "--size", "64x48", "--count", 1, *options)
+        self.assertNotEqual(*((self.folder / name).read_bytes() for name in ("with.png", "without.png")))
+
     def test_pages_list_what_the_table_has(self):
         self.pockets(UBIQUITIN, "-o", "p.html", "-o", "p.csv", "--count", 2)
         info, rows = page_info(self.folder / "p.html"), self.rows("p.csv")

@@ -101,6 +101,17 @@ TEST(ColourVertices, ValuesAreRedBelowZeroBlueAboveAndGreyWhereThereIsNone) {
     EXPECT_THROW(colour_vertices(mesh, small_complex(), options), UsageError);
 }
 
+TEST(PassageColour, IsLighterTheWiderTheTunnelIs) {
+    EXPECT_EQ(passage_colour(0.3), passage_colour(1.0));
+    EXPECT_EQ(passage_colour(16.0), passage_colour(40.0));
+    const auto light = [](double radius) {
+        const Colour c = passage_colour(radius);
+        return int{c.red} + int{c.green} + int{c.blue};
+    };
+    for (const double radius : {1.0, 1.4, 2.0, 4.0, 8.0, 12.0}) EXPECT_LT(light(radius), light(1.2 * radius)) << radius;
+    EXPECT_EQ(passage_colour(std::sqrt(8.0)).alpha, 255);
+}
+
 TEST(ColourVertices, AnEmptyMeshHasNoColours) {
     for (const ColourScheme scheme : {ColourScheme::Patch, ColourScheme::Component, ColourScheme::Curvature})
         EXPECT_TRUE(colour_vertices({}, small_complex(), {.scheme = scheme}).empty());

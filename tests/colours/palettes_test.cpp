@@ -68,7 +68,7 @@ TEST(Palettes, FurtherColoursAreToldApartInNormalVisionAndDoNotRepeat) {
 }
 
 TEST(Palettes, SequentialRampsOnlyDarken) {
-    for (const auto& ramp : {warm_ramp(), cold_ramp()})
+    for (const auto& ramp : {warm_ramp(), cold_ramp(), passage_ramp()})
         for (const testing::Vision& vision : testing::kVisions) {
             const std::vector<double> l = lightness(ramp, vision);
             for (std::size_t i = 1; i < l.size(); ++i) EXPECT_LT(l[i], l[i - 1] - 1.5) << vision.name << ' ' << i;
@@ -92,7 +92,7 @@ TEST(Palettes, DivergingRampsDarkenToBothSidesAlikeAndTheirSidesDiffer) {
 }
 
 TEST(Palettes, RampsHaveNoTwoStepsAlike) {
-    for (const auto& ramp : {diverging_ramp(), hydropathy_ramp(), warm_ramp(), cold_ramp()})
+    for (const auto& ramp : {diverging_ramp(), hydropathy_ramp(), warm_ramp(), cold_ramp(), passage_ramp()})
         EXPECT_GT(testing::smallest_difference(ramp), 2.5);
 }
 

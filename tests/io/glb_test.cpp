@@ -105,6 +105,20 @@ TEST(Glb, NamedMeshesAreNodesInTheirColours) {
     EXPECT_FALSE(glb.json["materials"][3].contains("alphaMode"));
 }
 
+TEST(Glb, NamedMeshesMayHaveColoursOfTheirVertices) {
+    const Mesh ball = testing::projected_sphere({.centre = {9, 2, 3}, .radius = 0.5}, 0.2);
+    std::vector<Colour> colours(ball.vertices.size(), Colour{255, 0, 0, 255});
+    const std::vector<NamedMesh> named{{"pore", ball, {0, 255, 0, 51}, std::move(colours)}};
+    const GlbContent glb = written_glb(full_mesh(), {.named = named});
+    EXPECT_EQ(glb.json["nodes"][1]["name"], "pore");
+    const nlohmann::json primitive = glb.json["meshes"][1]["primitives"][0];
+    const nlohmann::json accessor = glb.json["accessors"][primitive["attributes"]["COLOR_0"].get<int>()];
+    EXPECT_EQ(accessor["count"], ball.vertices.size());
+    const nlohmann::json material = glb.json["materials"][1];
+    EXPECT_FALSE(material.contains("alphaMode"));
+    EXPECT_FALSE(material["pbrMetallicRoughness"].contains("baseColorFactor"));
+}
+
 TEST(Glb, TheMeshIsStillClosed) {
     const GlbContent glb = written_glb(full_mesh(), {});
     Mesh read;

@@ -97,7 +97,7 @@ class PageTest(unittest.TestCase):
                             cls.folder / f"{name}.json", "--quiet", "--spacing", "0.8"], check=True, stderr=subprocess.DEVNULL)
             cls.report[name] = json.loads((cls.folder / f"{name}.json").read_text(encoding="utf-8"))
         subprocess.run([MENISCUS, "pockets", ROOT / "examples" / "1ubq.pdb", "-o", cls.folder / "pockets.html", "--report",
-                        cls.folder / "pockets.json", "--quiet", "--count", "3"], check=True, stderr=subprocess.DEVNULL)
+                        cls.folder / "pockets.json", "--quiet", "--count", "3", "--tunnels", "--pore", "z"], check=True, stderr=subprocess.DEVNULL)
         cls.report["pockets"] = json.loads((cls.folder / "pockets.json").read_text(encoding="utf-8"))
         cls.browser = start_browser(cls.folder / "profile")
 
@@ -288,6 +288,42 @@ class PageTest(unittest.TestCase):
         for a, b in zip(centre, pockets[1]["centre"]):
             self.assertAlmostEqual(a, b, places=3)
         self.assertEqual(self.js("return document.getElementById('picked-name').innerText"), "Pocket 2")
+
+    def test_tunnels_are_tubes_listed_plotted_and_flown_to(self):
+        self.load("pockets")
+        report = self.report["pockets"]
+        ways = [*report["tunnels"], report["pore"]]
+        rows = self.js("return [...document.getElementById('way-list').rows].map(row => row.innerText)")
+        self.assertEqual(len(rows), len(ways))
+        for row, way in zip(rows, ways):
+            self.assertIn(f"{way['bottleneck_radius']:.2f}", row)
+        self.assertTrue(rows[-1].startswith("pore"))
+        plot = "document.getElementById('profile')"
+        first = self.js(f"return {plot}.querySelector('.curve').getAttribute('d')")
+        half = self.js("return meniscus.controls.view.half")
+        self.click("#way-list tr:last-child button")
+        self.wait(f"meniscus.controls.view.half !== {half} && !meniscus.controls.flying")
+        centre = self.js("return meniscus.controls.view.centre.toArray().map((c, k) => c + meniscus.info.low[k])")
+        for a, b in zip(centre, report["pore"]["bottleneck"]):
+            self.assertAlmostEqual(a, b, places=3)
+        self.assertEqual(self.js("return document.getElementById('picked-name').innerText"), "Pore")
+        along = [b - a for a, b in zip(*(report["pore"]["profile"][i]["position"] for i in (0, -1)))]
+        towards = self.js("return meniscus.controls.view.axis(0, 0, 1).toArray()")   # seen from the side
+        self.assertAlmostEqual(sum(a * b for a, b in zip(along, towards)) / math.hypot(*along), 0, places=4)
+        curve = self.js(f"return {plot}.querySelector('.curve').getAttribute('d')")
+        self.assertNotEqual(curve, first)
+        # The curve comes nearest to the axis where the bottleneck is marked.
+        lowest = max((tuple(map(float, pair.split())) for pair in curve[1:].split("L")), key=lambda place: place[1])
+        mark = self.js(f"const c = {plot}.querySelector('circle'); return ['cx', 'cy'].map(a => +c.getAttribute(a))")
+        self.assertAlmostEqual(mark[0], lowest[0], delta=2)
+        self.assertAlmostEqual(mark[1], lowest[1], delta=0.5)
+        self.assertEqual(self.js(f"return {plot}.querySelector('.of-bottleneck').textContent"),
+                         f"{report['pore']['bottleneck_radius']:.2f} Å")
+        with_tubes = self.pixels()
+        self.click("#tubes")
+        self.assertNotEqual(self.pixels(), with_tubes)
+        self.click("#tubes")
+        self.assertEqual(self.pixels(), with_tubes)
 
     def test_the_list_of_cavities_names_the_ligands_left_out(self):
         for page, shown in (("shell", None), ("ligand", "Ligands that may fill them were left out: 1 LIG")):

@@ -124,6 +124,42 @@ TEST(PageData, PocketsReadBack) {
         }
 }
 
+TEST(PageData, TunnelsReadBack) {
+    SmallMolecule molecule;
+    EXPECT_FALSE(DecodedPage(page_data(molecule.mesh, molecule.structure, {}, {})).info.contains("ways"));
+    Bodies tubes;
+    tubes.mesh.vertices = molecule.mesh.vertices;
+    tubes.mesh.normals = molecule.mesh.normals;
+    tubes.mesh.components.assign(tubes.mesh.vertices.size(), 0);
+    tubes.mesh.triangles = {molecule.mesh.triangles[1]};
+    for (std::size_t v = 0; v < tubes.mesh.vertices.size(); ++v)
+        tubes.colours.push_back({static_cast<std::uint8_t>(v), 7, 9, 255});
+    const PageOptions options{.ways = {{.name = "tunnel 2.1",
+                                        .from = "pocket 2",
+                                        .rank = 1,
+                                        .colour = Colour{255, 0, 128, 255},
+                                        .radius = 1.23456,
+                                        .bottleneck = {1, 2, 3},
+                                        .profile = {{0.0, 2.0}, {0.25, 1.23456}}},
+                                       {.name = "pore", .from = "pore"}},
+                              .tubes = &tubes};
+    const DecodedPage page(page_data(molecule.mesh, molecule.structure, options, {}));
+    const nlohmann::json& way = page.info["ways"]["list"][0];
+    EXPECT_EQ(way["name"], "tunnel 2.1");
+    EXPECT_EQ(way["colour"], "#ff0080");
+    EXPECT_EQ(way["radius"], 1.235);
+    EXPECT_EQ(way["bottleneck"], (nlohmann::json{1.0, 2.0, 3.0}));
+    EXPECT_EQ(way["profile"], (nlohmann::json{{0.0, 2.0}, {0.25, 1.235}}));
+    EXPECT_TRUE(page.info["ways"]["list"][1]["colour"].is_null());
+    EXPECT_EQ(page.info["tubes"], (nlohmann::json{{"triangles", 1}, {"vertices", 3}}));
+    const std::string_view colours = page.stream("tube-colours");
+    ASSERT_EQ(colours.size(), 9U);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(static_cast<std::uint8_t>(colours[i]), tubes.mesh.triangles[0][i]);
+        EXPECT_EQ(colours[3 + i], 7);
+    }
+}
+
 TEST(PageData, NamesThatAreNoTextDoNotBreakIt) {
     SmallMolecule molecule;
     molecule.structure.residues[0].name = "\xFF\x01";
