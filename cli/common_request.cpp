@@ -56,6 +56,14 @@ std::string spell_as_option(std::string_view option, std::string_view value) {
     return value.empty() ? flag_of(option) : flag_of(option) + " " + std::string(value);
 }
 
+ReadOptions options_of_model(const CommonRequest& request, int model) {
+    ReadOptions options = request.read;
+    options.join_models = model == kJoinedModels;
+    if (!options.join_models) options.model = model;
+    options.checksum = false;
+    return options;
+}
+
 std::vector<ReadFile> files_of_structure(const std::string& input, const ReadOptions& options) {
     std::vector<ReadFile> files{{"the input", input}};
     std::error_code error;  // where there is no such file it is the name of a set
@@ -116,7 +124,10 @@ void add_output_options(CLI::App& command, CommonRequest& request) {
                     rarely("Write to standard output, in this format: a suffix without its point, as in ply or csv"))
         ->type_name("FORMAT");
     add_word(command, {"--report", "Report as JSON; - for standard output", "FILE"},
-             [&request](const std::string& path) { request.report = path == "/dev/stdout" ? "-" : path; });
+             [&request](const std::string& path) {
+                 if (path.empty()) throw UsageError("--report: empty; name a file, or write - for standard output");
+                 request.report = path == "/dev/stdout" ? "-" : path;
+             });
     command.add_flag("-q,--quiet", request.quiet, "No summary, no notes, no progress bar");
 }
 

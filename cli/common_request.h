@@ -17,6 +17,9 @@ class App;
 
 namespace meniscus::cli {
 
+/// In the place of a model's position: all of them, put together.
+inline constexpr int kJoinedModels = 0;
+
 /// "--hetero ligands", "--waters": an option of reading as the command line has it, see OptionSpelling.
 std::string spell_as_option(std::string_view option, std::string_view value);
 
@@ -31,6 +34,11 @@ struct CommonRequest {
     bool quiet = false;
     ProgressMode progress = ProgressMode::Auto;
 };
+
+/// What reads a model of the input again, as it was read.
+///
+/// model   as Job::model
+ReadOptions options_of_model(const CommonRequest& request, int model);
 
 /// INPUT and the file of --radii, if there is one.
 std::vector<ReadFile> files_of_structure(const std::string& input, const ReadOptions& options);

@@ -6,8 +6,10 @@
 
 #include <CLI/App.hpp>
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "meniscus/describe_pockets.h"
@@ -19,6 +21,7 @@
 #include "pockets_places.h"
 #include "standard_output.h"
 #include "summary_text.h"
+#include "volume_options.h"
 
 namespace meniscus::cli {
 
@@ -88,6 +91,22 @@ bool has_only_spheres(const std::string& input) {
     return ends_with(".xyzr") || ends_with(".xyzrn") || ends_with(".xyzr.gz") || ends_with(".xyzrn.gz");
 }
 
+// Options that change nothing are mistakes.
+void refuse_without_effect(const CLI::App& command, const PocketsRequest& request) {
+    const bool has_map = std::any_of(request.outputs.begin(), request.outputs.end(), [](const std::string& path) {
+        return plan_pockets_outputs({path}, "").front().kind == OutputKind::Volume;
+    });
+    const auto refuse = [&](const char* option, bool has_effect, const char* remedy) {
+        if (command.count(option) > 0 && !has_effect)
+            throw UsageError(fmt::format("{} has no effect {}", option, remedy));
+    };
+    for (const char* option : {"--tunnel-radius", "--tunnel-count"})
+        refuse(option, request.tunnels.wants_tunnels(), "without --tunnels or --tunnels-from");
+    refuse("--at-reach", !request.at.empty(), "without --at");
+    refuse("--rank", request.at.empty(), "with --at, whose places keep their order");
+    refuse("--field", has_map, "without a map; ask for one with -o FILE.dx or FILE.mrc");
+}
+
 class PocketsRun : public StructureRun {
 public:
     explicit PocketsRun(const PocketsRequest& request) : StructureRun(request, request.run.threads), request_(request) {
@@ -101,7 +120,6 @@ public:
         if (!request.over_models.empty() && !request.all_models)
             throw UsageError("--over-models: compares models; add --model all");
         check_picture(request.picture);
-        if (!request.over_models.empty()) plan_table("--over-models", request.over_models, "");
     }
 
 private:
@@ -109,19 +127,34 @@ private:
         std::vector<Output> outputs = plan_pockets_outputs(request_.outputs, mark);
         if (!request_.tunnels.table.empty()) outputs.push_back(plan_tunnel_table(request_.tunnels.table, mark));
         check_drawn(request_.picture, outputs);
+        for (const Output& output : outputs) check_vdb(output.path);
         return outputs;
     }
 
+    /// Selections are looked up in all models first, so that nothing is written where one of them has no such atoms.
+    void prepare(const std::vector<Job>& jobs) override {
+        std::set<std::string> said;
+        for (const Job& job : jobs) {
+            try {
+                places_[&job] = read_places(request_, job.structure, job.model);
+                check_starts(request_.tunnels, job.structure);
+            } catch (const UsageError& error) {
+                if (jobs.size() == 1) throw;
+                throw UsageError(fmt::format("{} (in {})", error.what(), one_line(job.structure.name)));
+            }
+            for (const std::string& line : places_[&job].warnings)
+                if (said.insert(line).second) warn(input_label(job.structure.file) + ": --at: " + line);
+        }
+    }
+
     void compute(const Job& job) override {
-        const std::string doubt =
-            doubt_of_ranking(job.structure, request_.read.hetero != HeteroPolicy::None, request_.pockets.spacing);
+        const std::string doubt = doubt_of_ranking(job.structure, request_.pockets.spacing);
         if (!doubt.empty() && doubt != said_) note(doubt);
         said_ = doubt;
         Stopwatch watch;
         RunOptions run = request_.run;
         run.progress = [this](std::string_view stage, double fraction) { show(stage, fraction); };
-        const PlacesOfRun at = read_places(request_, job.structure, job.model);
-        for (const std::string& line : at.warnings) warn(input_label(job.structure.file) + ": --at: " + line);
+        const PlacesOfRun& at = places_.at(&job);
         PocketOptions options = request_.pockets;
         for (const NamedPlace& place : at.places) options.places.push_back(place.place);
         const ExactSurface exact(job.structure.atoms, {SurfaceKind::Ses, options.probe});
@@ -132,7 +165,9 @@ private:
         say_which_places_are_empty(job);
         seconds_ = watch.lap();
         ways_ = find_asked_tunnels(request_.tunnels, exact, pockets_, job.structure, run);
+        for (const std::string& line : ways_.notes) note(input_label(job.structure.file) + ": " + line);
         if (request_.all_models) follow(job.structure);
+        std::erase_if(described_, is_empty_place);
         tunnel_seconds_ = watch.lap();
         draw(job, exact, run);
         seconds_ += watch.lap();
@@ -159,11 +194,16 @@ private:
         }
     }
 
+    static bool is_empty_place(const DescribedPocket& pocket) {
+        return !pocket.at.empty() && pocket.pocket.voxels.empty() && !pocket.pocket.cavity;
+    }
+
     void say_which_places_are_empty(const Job& job) {
         for (const DescribedPocket& pocket : described_)
-            if (!pocket.at.empty() && pocket.pocket.voxels.empty())
-                note(fmt::format("{}: --at: there is no pocket space at {}", input_label(job.structure.file),
-                                 one_line(pocket.at)));
+            if (is_empty_place(pocket))
+                note(fmt::format("{}: --at: there is no pocket space at {}{}", input_label(job.structure.file),
+                                 one_line(pocket.at),
+                                 described_.size() > 1 ? " that is not as near to another place" : ""));
     }
 
     void follow(const Structure& structure) {
@@ -246,8 +286,9 @@ private:
             fmt::format("{}: {}, {}, probes {} and {} Å\n", one_line(input_label(job.structure.file)),
                         counted(job.structure.atoms.size(), "atom", "atoms"), describe_radii(job.structure.radii_set),
                         request_.pockets.probe, request_.pockets.large_probe);
-        text += summary_line("pocket space", fmt::format("{:.2f} Å³, of which {:.2f} Å³ in no pocket", pockets_.volume,
-                                                         pockets_.rest_volume));
+        text += summary_line("pocket space",
+                             fmt::format("{:.2f} Å³, of which {:.2f} Å³ in no pocket", std::max(0.0, pockets_.volume),
+                                         std::max(0.0, pockets_.rest_volume)));
         text += described_.empty() ? summary_line("pockets", "none")
                                    : fmt::format("  {:>5} {:>8} {:>6} {:>10} {:>9} {:>8} {:>7}  lined by\n", "rank",
                                                  "score", "prob.", "volume/Å³", "wall/Å²", "depth/Å", "");
@@ -268,6 +309,7 @@ private:
     Pockets pockets_;
     std::vector<DescribedPocket> described_;
     FollowedPockets followed_;
+    std::map<const Job*, PlacesOfRun> places_;
     std::string said_;  // of the ranking, once for all models
     FoundTunnels ways_;
     std::optional<DrawnPockets> drawn_;
@@ -286,6 +328,7 @@ void add_pockets_command(CLI::App& program, Outcome& outcome) {
     const auto request = std::make_shared<PocketsRequest>();
     add_pockets_options(*command, *request);
     command->callback([command, request, &outcome] {
+        refuse_without_effect(*command, *request);
         if (command->count("--radii") == 0 && has_only_spheres(request->input)) request->read.radii = "auto";
         resolve_standard_output(*request);
         check_tunnels(request->tunnels);

@@ -28,26 +28,6 @@ constexpr std::uint8_t kBodyAlpha = 191;  // ligands are seen in there
 
 constexpr const char* kPore = "pore";
 
-std::string lining_of(const DescribedPocket& pocket) {
-    constexpr std::size_t kMost = 12;
-    std::string text;
-    for (std::size_t i = 0; i < std::min(kMost, pocket.residues.size()); ++i)
-        text.append(text.empty() ? "" : ", ").append(pocket.residues[i]);
-    if (pocket.residues.size() > kMost) text += fmt::format(" and {} more", pocket.residues.size() - kMost);
-    return text;
-}
-
-double area_of(const std::vector<PocketMouth>& mouths) {
-    double area = 0.0;
-    for (const PocketMouth& mouth : mouths) area += mouth.area;
-    return area;
-}
-
-bool is_nucleotide(const Residue& residue) {
-    constexpr std::array kNames{"A", "C", "G", "U", "DA", "DC", "DG", "DT"};
-    return std::find(kNames.begin(), kNames.end(), residue.name) != kNames.end();
-}
-
 PageWay way_of(const DescribedWay& described) {
     const TunnelPath& path = described.path;
     PageWay way{.radius = path.bottleneck.radius,
@@ -188,41 +168,6 @@ void DrawnPockets::write_glb(const std::string& path, const Structure& structure
                 .probe = surface_.options.probe,
                 .shortest_edge = surface_.measures.shortest_edge,
                 .threads = threads});
-}
-
-std::string doubt_of_ranking(const Structure& structure, bool has_hetero, double spacing) {
-    std::string what;
-    if (structure.radii_set != "united") what = fmt::format("{} radii", structure.radii_set);
-    const auto add = [&](const char* more) { what.append(what.empty() ? "" : " and ").append(more); };
-    if (has_hetero) add("hetero atoms");
-    if (spacing != 1.0) add("another spacing");
-    if (std::any_of(structure.residues.begin(), structure.residues.end(), is_nucleotide)) add("nucleic acids");
-    if (what.empty()) return "";
-    return fmt::format(
-        "the ranking was fitted to heavy atoms of proteins with united radii at 1 Å; with {} its "
-        "scores are less sure, volumes and areas are not concerned",
-        what);
-}
-
-std::vector<PagePocket> page_pockets(const std::vector<DescribedPocket>& described) {
-    std::vector<PagePocket> list;
-    for (const DescribedPocket& d : described) {
-        const Pocket& p = d.pocket;
-        list.push_back({.name = d.at.empty() ? std::to_string(p.rank) : d.at,
-                        .colour = pocket_colour(static_cast<float>(p.rank)),
-                        .cavity = p.cavity,
-                        .score = p.score,
-                        .volume = p.volume,
-                        .depth = p.depth,
-                        .wall_area = p.wall_area,
-                        .mouths = p.mouths.size(),
-                        .mouth_area = area_of(p.mouths),
-                        .openings = p.openings.size(),
-                        .opening_area = area_of(p.openings),
-                        .centre = p.centre,
-                        .lining = lining_of(d)});
-    }
-    return list;
 }
 
 }  // namespace meniscus::cli

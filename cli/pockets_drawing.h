@@ -41,10 +41,4 @@ private:
     std::vector<Colour> colours_;  // of the surface's vertices
 };
 
-/// Why the ranking is less sure than for what it was fitted to; empty if it is not.
-std::string doubt_of_ranking(const Structure& structure, bool has_hetero, double spacing);
-
-/// The list of pockets of a page.
-std::vector<PagePocket> page_pockets(const std::vector<DescribedPocket>& described);
-
 }  // namespace meniscus::cli

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "option_words.h"
-#include "report.h"
 
 namespace meniscus::cli {
 
@@ -21,14 +20,11 @@ Structure read_whole(const PocketsRequest& request, int model) {
         throw UsageError(
             "--at: a selection needs a file, because the structure is read twice; write X,Y,Z, or a file's "
             "name instead of -");
-    ReadOptions options = request.read;
+    ReadOptions options = options_of_model(request, model);
     options.hetero = HeteroPolicy::All;
     options.chains.clear();
     options.select.clear();
     options.strict_radii = false;
-    options.checksum = false;
-    options.join_models = model == kJoinedModels;
-    if (model != kJoinedModels) options.model = model;
     return read_structure(request.input, options);
 }
 

@@ -64,9 +64,15 @@ void add_pockets_options(CLI::App& command, PocketsRequest& request) {
               "With --model all, table of pockets over all models\n: in how many each is open, mean and deviation of "
               "its volume; .csv or .json",
               "FILE"},
-             [&request](const std::string& path) { request.over_models = path; });
-    command.add_option("--tunnel-table", request.tunnels.table, "Radii along tunnels and pore, .csv or .json")
-        ->type_name("FILE");
+             [&request](const std::string& path) {
+                 plan_table("--over-models", path, "");
+                 request.over_models = path;
+             });
+    add_word(command, {"--tunnel-table", "Radii along tunnels and pore, .csv or .json", "FILE"},
+             [&request](const std::string& path) {
+                 plan_tunnel_table(path, "");
+                 request.tunnels.table = path;
+             });
     command.option_defaults()->group("Picture");
     add_drawing_options(command, request.picture);
     command.option_defaults()->group("Running");

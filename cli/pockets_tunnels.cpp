@@ -41,9 +41,24 @@ Vec3 start_of(const std::string& text, const Structure& structure) {
     return middle_of(centres);
 }
 
-std::vector<DescribedTunnel> find_from_starts(const TunnelRequest& request, const ExactSurface& exact,
-                                              const Pockets& pockets, const Structure& structure,
-                                              const RunOptions& run) {
+// Why tunnels from given starts are missing.
+std::vector<std::string> notes_on_starts(const TunnelRequest& request, std::span<const Vec3> starts,
+                                         const std::vector<DescribedTunnel>& found, const ExactSurface& bulk) {
+    std::vector<std::string> notes;
+    const std::vector<double> distances = bulk.signed_distance(starts.first(request.from.size()));
+    for (std::size_t i = 0; i < request.from.size(); ++i) {
+        if (std::any_of(found.begin(), found.end(), [&](const DescribedTunnel& t) { return t.start == i + 1; }))
+            continue;
+        const std::string name = "--tunnels-from " + one_line(request.from[i]);
+        notes.push_back(distances[i] >= 0.0
+                            ? name + ": lies outside the molecule, in the bulk"
+                            : fmt::format("{}: no ball of {} Å gets out", name, request.options.min_radius));
+    }
+    return notes;
+}
+
+FoundTunnels find_from_starts(const TunnelRequest& request, const ExactSurface& exact, const Pockets& pockets,
+                              const Structure& structure, const RunOptions& run) {
     std::vector<Vec3> starts;
     std::vector<std::optional<std::size_t>> ranks;
     for (const std::string& text : request.from) {
@@ -59,9 +74,16 @@ std::vector<DescribedTunnel> find_from_starts(const TunnelRequest& request, cons
     TunnelOptions options = request.options;
     options.large_probe = pockets.options.large_probe;
     std::vector<DescribedTunnel> described;
-    for (const Tunnel& tunnel : find_tunnels(exact, starts, options, run))
-        described.push_back({ranks[tunnel.start], tunnel.rank, describe_way(tunnel.path, structure)});
-    return described;
+    for (const Tunnel& tunnel : find_tunnels(exact, starts, options, run)) {
+        const std::optional<std::size_t> given =
+            tunnel.start < request.from.size() ? std::optional(tunnel.start + 1) : std::nullopt;
+        described.push_back({ranks[tunnel.start], tunnel.rank, describe_way(tunnel.path, structure), given});
+    }
+    FoundTunnels found;
+    found.notes =
+        notes_on_starts(request, starts, described, exact.of_same_atoms({SurfaceKind::Ses, options.large_probe}));
+    found.tunnels = std::move(described);
+    return found;
 }
 
 std::optional<TunnelPath> find_asked_pore(const AskedPore& asked, const ExactSurface& exact, const RunOptions& run) {
@@ -116,6 +138,10 @@ void add_tunnel_options(CLI::App& command, TunnelRequest& request) {
              [&request](const std::string& text) { request.pore = parse_pore(text); });
 }
 
+void check_starts(const TunnelRequest& request, const Structure& structure) {
+    for (const std::string& text : request.from) start_of(text, structure);
+}
+
 void check_tunnels(const TunnelRequest& request) {
     if (!request.table.empty() && !request.wants_tunnels() && !request.pore)
         throw UsageError("--tunnel-table needs --tunnels, --tunnels-from or --pore");
@@ -124,7 +150,7 @@ void check_tunnels(const TunnelRequest& request) {
 FoundTunnels find_asked_tunnels(const TunnelRequest& request, const ExactSurface& exact, const Pockets& pockets,
                                 const Structure& structure, const RunOptions& run) {
     FoundTunnels found;
-    if (request.wants_tunnels()) found.tunnels = find_from_starts(request, exact, pockets, structure, run);
+    if (request.wants_tunnels()) found = find_from_starts(request, exact, pockets, structure, run);
     if (request.pore)
         if (const auto path = find_asked_pore(*request.pore, exact, run)) found.pore = describe_way(*path, structure);
     return found;
@@ -161,8 +187,9 @@ std::string describe_tunnels(const TunnelRequest& request, const FoundTunnels& f
         std::size_t rows = 0;
         for (const DescribedTunnel& tunnel : *found.tunnels)
             if (rows++ < kMostRows)
-                text += row_of(tunnel.pocket ? fmt::format("pocket {}", *tunnel.pocket) : "start",
-                               std::to_string(tunnel.rank), tunnel.way);
+                text += row_of(
+                    tunnel.pocket ? fmt::format("pocket {}", *tunnel.pocket) : fmt::format("start {}", *tunnel.start),
+                    std::to_string(tunnel.rank), tunnel.way);
         if (rows > kMostRows)
             text += fmt::format("           and {} more tunnels; list all with --report FILE\n", rows - kMostRows);
         if (rows == 0) text += summary_line("tunnels", fmt::format("none of {} Å", request.options.min_radius));

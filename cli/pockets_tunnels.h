@@ -37,9 +37,13 @@ struct TunnelRequest {
     bool wants_tunnels() const { return from_pockets || !from.empty(); }
 };
 
+/// throws   UsageError for a start that selects nothing
+void check_starts(const TunnelRequest& request, const Structure& structure);
+
 struct FoundTunnels {
     std::optional<std::vector<DescribedTunnel>> tunnels;  ///< nothing where they were not asked for
     std::optional<DescribedWay> pore;                     ///< nothing also where no ball passes
+    std::vector<std::string> notes;                       ///< on starts from which there is no tunnel
 };
 
 /// "x", "y" or "z", or the six coordinates of two points: "0,0,-20,0,0,20".

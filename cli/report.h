@@ -31,9 +31,6 @@ struct ShownPart {
     bool open = false;
 };
 
-/// In the place of a model's position: all of them, put together.
-inline constexpr int kJoinedModels = 0;
-
 /// Wall-clock seconds beside those that the library counts itself.
 struct RunSeconds {
     double read = 0.0;     ///< with the start of the program; with all models: counted with the first

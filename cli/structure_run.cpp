@@ -57,6 +57,7 @@ Stopwatch Stopwatch::of_program() { return Stopwatch(kProgramStart); }
 Outcome StructureRun::operator()() {
     const ThreadLimit limit(threads_);
     const std::vector<Job> jobs = prepare_jobs();
+    prepare(jobs);
     double read_seconds = watch_.lap();
     for (const Job& job : jobs) run(job, std::exchange(read_seconds, 0.0));
     finish();

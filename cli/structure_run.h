@@ -71,6 +71,8 @@ protected:
     virtual std::vector<Output> plan(const std::string& name, const std::string& mark) const = 0;
     /// Beside the structure and the radii.
     virtual std::vector<ReadFile> files_read() const { return {}; }
+    /// Refuses what can be refused before the first structure is computed; the jobs stay where they are.
+    virtual void prepare(const std::vector<Job>& /*jobs*/) {}
     virtual void compute(const Job& job) = 0;
     virtual void write(const Output& output, const Job& job) const = 0;
     /// The file that tells of all structures together, written after the last; empty for none.

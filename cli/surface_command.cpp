@@ -142,7 +142,7 @@ private:
             expect(expected.seconds);
         }
         const double estimate_seconds = estimating.lap();
-        find_pockets(job.structure);
+        find_pockets(job);
         make_surface(job, std::move(exact));
         const SurfaceOptions& made = surface_.options;
         if (has_volume && made.spacing != options.spacing)
@@ -192,18 +192,35 @@ private:
     }
 
     /// Pockets are found once, for the colours of all meshes of a structure.
-    void find_pockets(const Structure& structure) {
+    void find_pockets(const Job& job) {
         pockets_.reset();
         if (request_.picture.colours.scheme != ColourScheme::Pocket) return;
         const PocketOptions options;
-        if (const std::string doubt = doubt_of_ranking(
-                structure, request_.read.hetero.value_or(HeteroPolicy::None) != HeteroPolicy::None, options.spacing);
-            !doubt.empty())
+        of_pockets_ = as_ranked(job);
+        const Structure& structure = of_pockets_ ? *of_pockets_ : job.structure;
+        if (const std::string doubt = doubt_of_ranking(structure, options.spacing); !doubt.empty())
             note("--color pocket: " + doubt);
         RunOptions run = request_.run;
         run.observer = {};
         run.progress = [this](std::string_view, double fraction) { show("pockets", fraction); };
         pockets_ = meniscus::find_pockets(ExactSurface(structure.atoms), atom_classes(structure), options, run);
+    }
+
+    /// The atoms that `pockets` takes, where the surface has others and the input can be read again.
+    std::optional<Structure> as_ranked(const Job& job) const {
+        if (request_.input == "-" || job.structure.residues.empty() || doubt_of_ranking(job.structure, 1.0).empty())
+            return std::nullopt;
+        ReadOptions options = options_of_model(request_, job.model);
+        options.radii = "united";
+        options.hydrogens = HydrogenPolicy::Auto;
+        options.hetero = HeteroPolicy::None;
+        options.keep_waters = false;
+        if (!job.chain.empty()) options.chains = {job.chain};
+        try {
+            return read_structure(request_.input, options);
+        } catch (const InputError&) {  // of ligands alone nothing is left
+            return std::nullopt;
+        }
     }
 
     std::vector<VertexValues> values_at(const Mesh& mesh) const {
@@ -303,7 +320,7 @@ private:
 
     std::vector<PagePocket> listed_pockets(const Structure& structure) const {
         if (!pockets_) return {};
-        return page_pockets(describe_pockets(*pockets_, structure));
+        return page_pockets(describe_pockets(*pockets_, of_pockets_ ? *of_pockets_ : structure));
     }
 
     std::span<const SurfaceComponent> exact_pieces() const {
@@ -395,7 +412,8 @@ private:
 
     const SurfaceRequest& request_;
     ValueSources values_;
-    std::optional<Pockets> pockets_;  // with --color pocket
+    std::optional<Pockets> pockets_;       // with --color pocket
+    std::optional<Structure> of_pockets_;  // whose pockets these are, where it is not the surface's
     // Of the SES, where the mesh is of another surface and the report has both.
     std::shared_ptr<const Measures> excluded_;
     Surface surface_;

@@ -95,10 +95,7 @@ void check_together(const VolumeRequest& request, const std::vector<Output>& out
 
 void check_format(const VolumeRequest& request, const Output& output) {
     const std::string suffix = suffix_of(output);
-    if (suffix == ".vdb" && !vdb_supported())
-        throw UsageError(
-            output.path +
-            ": this build cannot write .vdb; install libopenvdb-dev and build again, or ask for .dx or .mrc");
+    check_vdb(output.path);
     if (request.apbs_maps && is_standard_output(output.path))
         throw UsageError("-o -: --maps apbs writes several files; name them with -o NAME.dx");
     if (request.apbs_maps && suffix != ".dx")
@@ -201,6 +198,12 @@ ordered_json report_volumes(const VolumeRequest& request, bool written) {
     if (maps || content == VolumeContent::Ions) options["ion_radius"] = request.field.ion_radius;
     if (maps) options["maps"] = "apbs";
     return options;
+}
+
+void check_vdb(const std::string& path) {
+    if (suffix_of(path) == ".vdb" && !vdb_supported())
+        throw UsageError(
+            path + ": this build cannot write .vdb; install libopenvdb-dev and build again, or ask for .dx or .mrc");
 }
 
 }  // namespace meniscus::cli

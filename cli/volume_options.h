@@ -61,4 +61,7 @@ private:
 /// written   whether there is a volume; without one all is null
 nlohmann::ordered_json report_volumes(const VolumeRequest& request, bool written);
 
+/// throws   UsageError for a .vdb that this build cannot write
+void check_vdb(const std::string& path);
+
 }  // namespace meniscus::cli

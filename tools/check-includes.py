@@ -44,7 +44,7 @@ ROOMS = {
     "colours": ("reading", "structure", "radii", "tables", "values", "exact", "grid", "platform"),
     "render": ("colours", "platform"),
     "sticks": ("colours", "render", "structure"),
-    "page": ("colours", "values", "render", "sticks", "io", "tables", "structure", "exact", "pipeline", "platform"),
+    "page": ("colours", "values", "render", "sticks", "io", "tables", "pockets", "describe_pockets", "structure", "exact", "pipeline", "platform"),
     "draw": ("colours", "render", "sticks", "structure", "pipeline"),
 }
 # Whose a public header is. The others hold the library's vocabulary (vectors, atoms, meshes, values on grids, errors), which

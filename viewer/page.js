@@ -98,7 +98,9 @@ const Page = (() => {
 
     fill() {
       Panel.fillSchemes(this.info.schemes, this.info.scheme);
-      Panel.fillCavities(this.info.cavities, this.info.ligandsLeftOut, i => this.flyToCavity(i));
+      // Pockets are drawn with closed cavities among them, which then stand in one list.
+      const listed = this.info.bodies || (this.info.pockets || []).some(pocket => pocket.cavity);
+      Panel.fillCavities(listed ? [] : this.info.cavities, this.info.ligandsLeftOut, i => this.flyToCavity(i));
       Panel.fillPockets(this.info.pockets || [], i => this.flyToPocket(i));
       const ways = this.info.ways ? this.info.ways.list : [];
       Panel.fillWays(ways, i => this.flyToWay(i));
@@ -274,7 +276,7 @@ const Page = (() => {
                                                 ["wall", grouped(pocket.area, 1) + " Å²"], ["depth", Panel.plain(pocket.depth, 1) + " Å"],
                                                 ["mouths", pocket.cavity ? "none, a closed cavity" : holes(pocket.mouths, pocket.mouthArea)],
                                                 ["opens further in", pocket.cavity ? "" : holes(pocket.openings, pocket.openingArea)],
-                                                ["lined by", pocket.lining]]);
+                                                ["ligand", pocket.ligand], ["lined by", pocket.lining]]);
       this.controls.lookAt(point, Math.max(6, 2.5 * Math.cbrt(pocket.volume * 3 / (4 * Math.PI))));
     }
 

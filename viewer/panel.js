@@ -123,7 +123,7 @@ const Panel = (() => {
       button.setAttribute("aria-label", "Go to pocket " + pocket.name);
       first.append(button);
       const numbers = [plain(pocket.score, 2), grouped(pocket.volume), plain(pocket.depth, 1),
-                       pocket.cavity ? "closed" : String(pocket.mouths)];
+                       pocket.cavity ? "closed" : grouped(pocket.mouthArea + pocket.openingArea)];
       row.append(first, ...numbers.map(text => element("td", text)));
       row.addEventListener("click", () => chosen(i));
       $("pocket-list").append(row);

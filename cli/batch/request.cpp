@@ -205,7 +205,8 @@ void add_pockets(CLI::App& batch, Request& request, const std::function<void()>&
     CLI::App& command = *batch.add_subcommand("pockets", "The pockets of every input");
     const auto given = std::make_shared<PocketsRequest>();
     add_pockets_options(command, *given);
-    command.remove_option(command.get_option("--over-models"));  // one file for all
+    for (const char* one_for_all : {"--over-models", "--tunnel-table"})
+        command.remove_option(command.get_option(one_for_all));
     const auto take = [&request, given]() -> const CommonRequest& {
         request.threads = given->run.threads;
         return *given;

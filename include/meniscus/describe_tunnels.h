@@ -46,6 +46,7 @@ struct DescribedTunnel {
     std::optional<std::size_t> pocket;  ///< rank of the pocket where it begins; none for a given start
     std::size_t rank = 0;               ///< among those of its start, from 1
     DescribedWay way;
+    std::optional<std::size_t> start{};  ///< number of the given start, from 1; none for a pocket
 };
 
 template <class Visitor>
@@ -74,6 +75,7 @@ void describe(const DescribedWay& w, Visitor& visit) {
 template <class Visitor>
 void describe(const DescribedTunnel& t, Visitor& visit) {
     visit({"pocket", "", "rank of the pocket where it begins; `null` for a start that was given"}, t.pocket);
+    visit({"start", "", "number of the start that was given, from 1; `null` for a pocket"}, t.start);
     visit({"rank", "", "place among the tunnels of its start, from 1: the widest first"}, t.rank);
     describe(t.way, visit);
 }

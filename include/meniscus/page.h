@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "meniscus/colours.h"
+#include "meniscus/describe_pockets.h"
 #include "meniscus/measures.h"
 #include "meniscus/mesh.h"
 #include "meniscus/picture.h"
@@ -48,6 +49,7 @@ struct PagePocket {
     double opening_area = 0.0;  ///< of all of them, Å²
     Vec3 centre;                ///< Å
     std::string lining{};       ///< residues, as text
+    std::string ligand{};       ///< how the ligand at its place sits there, as text
 };
 
 /// A tunnel or a pore in the list of a page, with its radii for a plot.
@@ -90,6 +92,9 @@ struct PageOptions {
     ExactSurface exact{};  ///< an exact surface of the structure's atoms, if there is one, to save building it again
     int threads = 0;       ///< 0: all cores; the page does not depend on it
 };
+
+/// The list of pockets that a page shows.
+std::vector<PagePocket> page_pockets(std::span<const DescribedPocket> described);
 
 /// True unless the library was built without three.js (CMake's MENISCUS_PAGE=OFF), zlib or nettle.
 bool pages_supported();

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "meniscus/pockets.h"
@@ -15,6 +16,11 @@ namespace meniscus {
 /// The class of each atom of a structure, as the ranking of pockets needs them. Modified residues are read as their
 /// parents (MSE as MET); atoms of other residues by their element.
 std::vector<AtomClass> atom_classes(const Structure& structure);
+
+/// Why the ranking of a structure's pockets is less sure than for what it was fitted to; empty if it is not.
+///
+/// spacing   PocketOptions::spacing
+std::string doubt_of_ranking(const Structure& structure, double spacing);
 
 /// An atom of a pocket's wall lines the pocket if its share of the wall is larger than this, Å².
 inline constexpr double kLiningArea = 1.0;

@@ -22,6 +22,7 @@ struct NamedPlace {
 
 /// The places of a selection: a place for all selected atoms that belong to the molecule, and one for each ligand,
 /// which is what is selected and does not belong to it. Residues whose atoms are closer than 2.1 Å are one ligand.
+/// Single atoms (ions) are ligands only where nothing else is selected.
 ///
 /// molecule    whose pockets are looked for
 /// whole       read from the same file with all its hetero atoms; its atoms are where the molecule's are

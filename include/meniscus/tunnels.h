@@ -103,13 +103,4 @@ PoreEnds ends_along(const ExactSurface& exact, const Vec3& point, const Vec3& di
 std::optional<TunnelPath> find_pore(const ExactSurface& exact, const PoreEnds& ends, const PoreOptions& options = {},
                                     const RunOptions& run = {});
 
-/// A tube round a way, as wide as its balls, with a half ball at both ends: one closed piece with vertices, normals and
-/// triangles. It is for looking at: way and radii are averaged over 1 Å, and where a wide tube turns sharply its rings
-/// may pass through each other.
-///
-/// edge     length of the triangles' edges, about, Å
-/// throws   UsageError for an edge that is not positive, and for a path without points or with radii that are not
-/// positive cost     O(length radius / edge²)
-Mesh tube_of(const TunnelPath& path, double edge = 0.5);
-
 }  // namespace meniscus

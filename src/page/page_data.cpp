@@ -159,7 +159,8 @@ ordered_json pockets_json(const std::vector<PagePocket>& pockets) {
                         {"openings", pocket.openings},
                         {"openingArea", cut_to(pocket.opening_area, 100.0)},
                         {"centre", point_json(pocket.centre)},
-                        {"lining", pocket.lining}});
+                        {"lining", pocket.lining},
+                        {"ligand", pocket.ligand}});
     return list;
 }
 

@@ -101,6 +101,26 @@ void add_checks(Rows& rows, const std::vector<Check>& checks) {
         if (!c.passed) rows.push_back({"Checks", "failed", c.name});
 }
 
+std::string lining_of(const DescribedPocket& pocket) {
+    constexpr std::size_t kMost = 12;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(kMost, pocket.residues.size()); ++i)
+        text.append(text.empty() ? "" : ", ").append(pocket.residues[i]);
+    if (pocket.residues.size() > kMost) text += fmt::format(" and {} more", pocket.residues.size() - kMost);
+    return text;
+}
+
+double area_of_all(const std::vector<PocketMouth>& mouths) {
+    double area = 0.0;
+    for (const PocketMouth& mouth : mouths) area += mouth.area;
+    return area;
+}
+
+std::string text_of(const LigandFit& ligand) {
+    return fmt::format("{} of {} atoms inside, {:.0f} % buried", ligand.inside, ligand.atoms,
+                       100.0 * ligand.buried_area / std::max(ligand.area, 1e-9));
+}
+
 }  // namespace
 
 std::vector<PageRow> page_rows(const Structure& structure, const Surface& surface, const Measures& exact) {
@@ -120,6 +140,28 @@ std::vector<PageRow> page_rows(const Structure& structure, const Surface& surfac
     add_input(rows, structure, surface);
     add_checks(rows, surface.checks);
     return rows;
+}
+
+std::vector<PagePocket> page_pockets(std::span<const DescribedPocket> described) {
+    std::vector<PagePocket> list;
+    for (const DescribedPocket& d : described) {
+        const Pocket& p = d.pocket;
+        list.push_back({.name = d.at.empty() ? std::to_string(p.rank) : d.at,
+                        .colour = pocket_colour(static_cast<float>(p.rank)),
+                        .cavity = p.cavity,
+                        .score = p.score,
+                        .volume = p.volume,
+                        .depth = p.depth,
+                        .wall_area = p.wall_area,
+                        .mouths = p.mouths.size(),
+                        .mouth_area = area_of_all(p.mouths),
+                        .openings = p.openings.size(),
+                        .opening_area = area_of_all(p.openings),
+                        .centre = p.centre,
+                        .lining = lining_of(d),
+                        .ligand = d.ligand ? text_of(*d.ligand) : ""});
+    }
+    return list;
 }
 
 }  // namespace meniscus

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "radii/aliases.h"
 #include "tables/hydropathy.h"
 
 namespace meniscus {
@@ -109,6 +110,25 @@ std::vector<AtomClass> atom_classes(const Structure& structure) {
     for (const AtomLabel& atom : structure.labels)
         classes.push_back(class_of(parent_of(structure.residues[atom.residue].name), atom));
     return classes;
+}
+
+std::string doubt_of_ranking(const Structure& structure, double spacing) {
+    const auto has = [&](auto is_one) {
+        return std::any_of(structure.residues.begin(), structure.residues.end(),
+                           [&](const Residue& residue) { return is_one(parent_of(residue.name)); });
+    };
+    const bool has_nucleotides = has(is_nucleotide);
+    std::string what;
+    const auto add = [&](const std::string& more) { what.append(what.empty() ? "" : " and ").append(more); };
+    if (structure.radii_set != "united") add(structure.radii_set + " radii");
+    if (has([](std::string_view name) { return !is_amino_acid(name) && !is_nucleotide(name) && !is_water(name); }))
+        add("hetero atoms");
+    if (spacing != 1.0) add("another spacing");
+    if (has_nucleotides) add("nucleic acids");
+    if (what.empty()) return "";
+    return "the ranking was fitted to heavy atoms of proteins with united radii at 1 Å; with " + what + " " +
+           (has_nucleotides ? "do not rely on its order and scores" : "its scores are less sure") +
+           ", volumes and areas are not concerned";
 }
 
 PocketChemistry describe_pocket(const Pocket& pocket, const Structure& structure) {

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "meniscus/errors.h"
 #include "meniscus/interfaces.h"
 #include "meniscus/tables.h"
 
@@ -28,6 +29,17 @@ std::set<Centre> centres_of(const Structure& structure) {
     std::set<Centre> centres;
     for (std::size_t i = 0; i < structure.atoms.size(); ++i) centres.insert(centre_of(structure, i));
     return centres;
+}
+
+// What is left out beside a molecule: "; beside the molecule are HEM, ZN".
+std::string names_beside(const Structure& whole, const std::set<Centre>& own) {
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < whole.atoms.size(); ++i)
+        if (!own.contains(centre_of(whole, i))) names.insert(whole.residues[whole.labels[i].residue].name);
+    if (names.empty()) return "; there are no ligands beside the molecule";
+    std::string text;
+    for (const std::string& name : names) text.append(text.empty() ? "; beside the molecule are " : ", ").append(name);
+    return text;
 }
 
 bool are_bonded(const Atoms& atoms, const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
@@ -82,8 +94,13 @@ NamedPlace place_of_ligand(const Structure& whole, const std::vector<std::uint32
 
 std::vector<NamedPlace> places_of_selection(const Structure& molecule, const Structure& whole,
                                             const std::string& expression, double reach, const std::string& option) {
-    const std::vector<bool> selected = select_atoms(whole, expression, option);
     const std::set<Centre> own = centres_of(molecule);
+    std::vector<bool> selected;
+    try {
+        selected = select_atoms(whole, expression, option);
+    } catch (const UsageError& error) {
+        throw UsageError(error.what() + names_beside(whole, own));
+    }
     NamedPlace beside{expression, {{}, reach}, {}};
     std::map<std::uint32_t, std::vector<std::uint32_t>> atoms_of;  // of residues that are ligands
     for (std::uint32_t i = 0; i < selected.size(); ++i) {
@@ -93,6 +110,11 @@ std::vector<NamedPlace> places_of_selection(const Structure& molecule, const Str
         else
             atoms_of[whole.labels[i].residue].push_back(i);
     }
+    // Ions are places where nothing else is selected, as in "(ZN)", but not with a chain.
+    const bool has_more =
+        !beside.place.points.empty() ||
+        std::any_of(atoms_of.begin(), atoms_of.end(), [](const auto& of) { return of.second.size() > 1; });
+    if (has_more) std::erase_if(atoms_of, [](const auto& of) { return of.second.size() == 1; });
     std::vector<NamedPlace> places;
     if (!beside.place.points.empty()) places.push_back(std::move(beside));
     for (const std::vector<std::uint32_t>& ligand : molecules_of(whole.atoms, atoms_of))
