@@ -170,7 +170,7 @@ const Panel = (() => {
    * scale   radii and their colours, in rising order
    */
   function plotWay(way, scale) {
-    const svg = $("profile"), [wide, high] = [300, 170], [left, right, top, bottom] = [34, 292, 18, 132];
+    const svg = $("profile"), [wide, high] = [300, 170], [left, right, top, bottom] = [34, 292, 26, 132];
     const svgElement = (tag, attributes, text) => {
       const e = document.createElementNS("http://www.w3.org/2000/svg", tag);
       for (const name in attributes) e.setAttribute(name, attributes[name]);

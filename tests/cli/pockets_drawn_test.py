@@ -89,7 +89,7 @@ class DrawnPocketsTest(ProgramTest):
         gltf = glb_json(self.folder / "p.glb")
         report = json.loads((self.folder / "p.json").read_text())
         ways = {f"tunnel {t['pocket']}.{t['rank']}": t for t in report["tunnels"]} | {"pore": report["pore"]}
-        self.assertGreater(len(ways), 2)
+        self.assertGreater(len(ways), 1)
         names = [node["name"] for node in gltf["nodes"]]
         self.assertEqual(names[-len(ways):], list(ways))
         for node in gltf["nodes"][-len(ways):]:
