@@ -21,11 +21,14 @@ class Spread:
     mean : float
         Mean.
     deviation : float
-        Standard deviation of the sample; 0 for a single model.
+        Standard deviation of the sample; 0 for less than two values.
+    values : int
+        Number of models that have a value.
     """
 
     mean: float
     deviation: float
+    values: int
 
 
 @dataclasses.dataclass(frozen=True)
@@ -49,7 +52,7 @@ class PocketTrack:
     depth : Spread
         Å.
     mouth_radius : Spread
-        Of its largest mouth or opening, Å; 0 for a closed cavity.
+        Of its largest mouth or opening, Å; over the models in which it is open.
     ways : int
         Number of models in which it has a tunnel, of those that were given.
     bottleneck : Spread

@@ -120,11 +120,14 @@ using ModelPockets = std::tuple<std::shared_ptr<FoundPockets>, std::shared_ptr<S
 py::dict track_dict(const DescribedTrack& described) {
     using namespace py::literals;
     const PocketTrack& track = described.track;
-    const auto pair = [](const Spread& spread) { return py::make_tuple(spread.mean, spread.deviation); };
+    const auto members = [](const Spread& spread) {
+        return py::make_tuple(spread.mean, spread.deviation, spread.values);
+    };
     return py::dict("number"_a = described.number, "models"_a = track.models, "open"_a = track.open,
-                    "best_rank"_a = track.best_rank, "score"_a = pair(track.score), "volume"_a = pair(track.volume),
-                    "depth"_a = pair(track.depth), "mouth_radius"_a = pair(track.mouth_radius), "ways"_a = track.ways,
-                    "bottleneck"_a = pair(track.bottleneck), "residues"_a = described.residues);
+                    "best_rank"_a = track.best_rank, "score"_a = members(track.score),
+                    "volume"_a = members(track.volume), "depth"_a = members(track.depth),
+                    "mouth_radius"_a = members(track.mouth_radius), "ways"_a = track.ways,
+                    "bottleneck"_a = members(track.bottleneck), "residues"_a = described.residues);
 }
 
 /// The tracks, and for each model the number of the track of each pocket.

@@ -41,7 +41,8 @@ std::vector<DescribedTrack> FollowedPockets::described() const {
         for (const WallAtom& atom : track.wall) {
             if (atom.area <= kLiningArea) continue;
             const std::string label = spaced_label(residues_[atom.atom]);
-            if (std::find(residues.begin(), residues.end(), label) == residues.end()) residues.push_back(label);
+            if (!label.empty() && std::find(residues.begin(), residues.end(), label) == residues.end())
+                residues.push_back(label);
         }
         tracks.push_back({std::move(track), tracks.size() + 1, std::move(residues)});
     }

@@ -53,7 +53,9 @@ std::vector<Cell> residue_identity(const Residue& residue) {
 Cell count_cell(std::size_t n) { return static_cast<std::int64_t>(n); }
 
 std::string spaced_label(const Residue& residue) {
-    std::string label = residue.chain + ":" + residue.name + " " + std::to_string(residue.number);
+    if (residue.name.empty()) return "";
+    std::string label = residue.chain.empty() ? "" : residue.chain + ":";
+    label += residue.name + " " + std::to_string(residue.number);
     if (residue.insertion_code != ' ') label += residue.insertion_code;
     return label;
 }

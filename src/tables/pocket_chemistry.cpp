@@ -169,7 +169,8 @@ std::vector<DescribedPocket> describe_pockets(const Pockets& pockets, const Stru
                 described.ligand = fit_ligand(structure.atoms, place.ligand, pocket, pockets.options.probe);
         }
         for (const std::uint32_t residue : described.chemistry.residues)
-            described.residues.push_back(spaced_label(structure.residues[residue]));
+            if (std::string label = spaced_label(structure.residues[residue]); !label.empty())
+                described.residues.push_back(std::move(label));
         result.push_back(std::move(described));
     }
     return result;

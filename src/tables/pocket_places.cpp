@@ -86,6 +86,7 @@ NamedPlace place_of_ligand(const Structure& whole, const std::vector<std::uint32
             place.ligand.radii.push_back(whole.atoms.radii[atom]);
         }
     }
+    if (place.name.empty()) place.name = "ligand";
     if (residues.size() > 1) place.name += " + " + std::to_string(residues.size() - 1);
     return place;
 }

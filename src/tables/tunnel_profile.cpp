@@ -12,8 +12,8 @@ namespace {
 
 std::string label_of(const Structure& structure, std::uint32_t atom) {
     const AtomLabel& label = structure.labels[atom];
-    if (structure.residues.empty()) return "atom " + std::to_string(atom);
-    const std::string residue = spaced_label(structure.residues[label.residue]);
+    const std::string residue = structure.residues.empty() ? "" : spaced_label(structure.residues[label.residue]);
+    if (residue.empty()) return "atom " + std::to_string(atom);
     return label.name.empty() ? residue : residue + " " + label.name;
 }
 

@@ -100,7 +100,7 @@ class TunnelsTest(ProgramTest):
 
     def test_the_summary_has_a_row_per_tunnel(self):
         text = self.pockets("cup.xyzr", "--tunnels-from", "0,0,4", "--pore", "z").stdout
-        self.assertRegex(text, r"\n +start +1 +2\.200 +\d+\.\d +1\.\d\d  \S")
+        self.assertRegex(text, r"\n +start 1 +1 +2\.200 +\d+\.\d +1\.\d\d  \S")
         self.assertIn("none: no ball of 0.5 Å passes", text)
         self.assertRegex(self.pockets("pipe.xyzr", "--pore", "z").stdout, r"\n +pore z +2\.200 ")
 
