@@ -41,7 +41,8 @@ void describe(Options& o, Visitor&& visit) {
           o.probe);
     visit(Option{.name = "large_probe",
                  .brief = "Radius of the probe that does not, Å",
-                 .meaning = "Radius of the probe that closes pockets off from the bulk, Å; larger than `--probe`, at most 100",
+                 .meaning =
+                     "Radius of the probe that closes pockets off from the bulk, Å; larger than `--probe`, at most 100",
                  .example = "--large-probe 8",
                  .symbol = "R",
                  .range = NumberRange::Positive},

@@ -43,7 +43,8 @@ struct ReadOptions {
     std::string altloc = {};               ///< one letter; empty: highest summed occupancy per residue
     std::vector<std::string> chains = {};  ///< author names, "label:X" for mmCIF label names; empty: all
     /// The atoms to keep, chosen before an assembly copies them, in gemmi's syntax or in the words of PyMOL and VMD
-    /// ("chain A and resi 10-50") where gemmi's can say exactly the same; or several with " + " between them. Empty: all.
+    /// ("chain A and resi 10-50") where gemmi's can say exactly the same; or several with " + " between them. Empty:
+    /// all.
     std::string select = {};
     std::optional<HeteroPolicy> hetero = {};    ///< empty: None, but All for files with radii or without a polymer
     std::optional<bool> keep_waters = {};       ///< empty: no, but yes, with a warning, for files with radii
