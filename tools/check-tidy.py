@@ -34,6 +34,7 @@ ARGUMENTS = ["--quiet", "--extra-arg=-Wno-unknown-warning-option", "--extra-arg=
 SETTINGS = ".clang-tidy"
 COMMANDS = ROOT / "build" / "checked" / "commands"
 TOGETHER = 12  # sources at most
+TOGETHER_IN_TIME = 4  # where time is short: a bundle that has begun is not cut off
 
 # What GCC has compiled beforehand clang cannot read, and sources must not need it.
 PRECOMPILED = re.compile(r' -Winvalid-pch -include ("[^"]*"|\S+)')
@@ -70,8 +71,9 @@ def copy_settings():
 class Bundles:
     """Which sources are looked at together: those that are compiled alike and declare nothing of the same name."""
 
-    def __init__(self, commands):
+    def __init__(self, commands, together):
         self.commands = commands  # by path
+        self.together = together  # sources at most
 
     def __call__(self, paths):
         bundles = {}
@@ -82,7 +84,7 @@ class Bundles:
             if '.inc"' in text:  # what is compiled for several sets of instructions declares more than stands there
                 alike += (path,)
             for together, known in bundles.setdefault(alike, []):
-                if len(together) < TOGETHER and not names & known:
+                if len(together) < self.together and not names & known:
                     together.append(path)
                     known |= names
                     break
@@ -121,9 +123,10 @@ def main():
         print(f"{path}: not in any target")
     version = subprocess.run(["clang-tidy", "--version"], capture_output=True, text=True, check=True).stdout
     cache = Cache("tidy", version, *ARGUMENTS, *configurations(SETTINGS))
-    bundles = Bundles(commands)
+    in_time = sys.argv[2:3] == ["--changed"]
+    bundles = Bundles(commands, TOGETHER_IN_TIME if in_time else TOGETHER)
     failed = []
-    if sys.argv[2:3] == ["--changed"]:
+    if in_time:
         until = time.monotonic() + float(sys.argv[3])
         for paths in touched(commands):
             failed += cache.run(paths, bundles.command, bundles, until)
