@@ -112,7 +112,7 @@ class TidyTest(unittest.TestCase):
 
     def bundles_of(self, *names):
         command = f"c++ {quote(f'-I{SOURCE}/src')} {quote(f'-I{SOURCE}/include')} -std=c++20 -o x.o -c "
-        return self.tidy.Bundles({pathlib.Path(name): command + quote(str(SOURCE / name)) for name in names})
+        return self.tidy.Bundles({pathlib.Path(name): command + quote(str(SOURCE / name)) for name in names}, self.tidy.TOGETHER)
 
     def test_sources_pass_together(self):
         """Else each would be looked at alone, which nobody would see."""
