@@ -13,11 +13,11 @@
 #include <utility>
 
 #include "meniscus/describe_pockets.h"
+#include "meniscus/draw_pockets.h"
 #include "meniscus/volume_file.h"
 #include "meniscus/write.h"
 #include "messages.h"
 #include "platform/files/atomic_file.h"
-#include "pockets_drawing.h"
 #include "pockets_places.h"
 #include "standard_output.h"
 #include "summary_text.h"
@@ -181,17 +181,22 @@ private:
         };
         drawn_.reset();
         if (std::none_of(job.outputs.begin(), job.outputs.end(), needs_surface)) return;
-        drawn_.emplace(exact, pockets_, job.structure, ways_, run);
+        drawn_.emplace(exact, pockets_, job.structure, drawable(ways_), run);
         if (has_kind(job.outputs, OutputKind::Picture)) {
             show("picture", 0.0);
-            picture_ = drawn_->picture(job.structure, request_.picture, run.threads);
+            picture_ = drawn_->picture(job.structure, drawing());
             show("picture", 1.0);
         }
         if (has_kind(job.outputs, OutputKind::Page)) {
             show("page", 0.0);
-            page_ = drawn_->page(job.structure, request_.picture, described_, run.threads);
+            page_ = drawn_->page(job.structure, described_, drawing());
             show("page", 1.0);
         }
+    }
+
+    DrawPocketsOptions drawing() const {
+        const PictureRequest& asked = request_.picture;
+        return {asked.picture, asked.legend, asked.ligands, request_.run.threads};
     }
 
     static bool is_empty_place(const DescribedPocket& pocket) {
@@ -252,8 +257,7 @@ private:
             return write_pocket_atoms(output.path, job.structure, pockets_, paths_of(ways_));
         if (output.kind == OutputKind::Picture) return write_picture(output.path, picture_);
         if (output.kind == OutputKind::Page) return write_text(output.path, page_);
-        if (suffix_of(output.path) == ".glb")
-            return drawn_->write_glb(output.path, job.structure, request_.picture.ligands, request_.run.threads);
+        if (suffix_of(output.path) == ".glb") return drawn_->write_glb(output.path, job.structure, drawing());
         if (output.kind == OutputKind::Mesh) return write_mesh(output.path, pocket_bodies(pockets_));
         if (output.kind == OutputKind::Volume)
             return write_volume(output.path, pocket_volume(pockets_, request_.field), request_.field);

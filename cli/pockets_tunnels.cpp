@@ -164,6 +164,10 @@ PathsOfPockets paths_of(const FoundTunnels& found) {
     return paths;
 }
 
+PocketWays drawable(const FoundTunnels& found) {
+    return {found.tunnels.value_or(std::vector<DescribedTunnel>{}), found.pore};
+}
+
 Table profile_of(const FoundTunnels& found) {
     return profile_table(found.tunnels.value_or(std::vector<DescribedTunnel>{}), found.pore ? &*found.pore : nullptr);
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "meniscus/describe_tunnels.h"
+#include "meniscus/draw_pockets.h"
 #include "meniscus/pockets.h"
 #include "meniscus/structure.h"
 #include "meniscus/tunnels.h"
@@ -60,8 +61,9 @@ void check_tunnels(const TunnelRequest& request);
 FoundTunnels find_asked_tunnels(const TunnelRequest& request, const ExactSurface& exact, const Pockets& pockets,
                                 const Structure& structure, const RunOptions& run);
 
-/// The ways as write_pocket_atoms() takes them, and as a table of radii.
+/// The ways as write_pocket_atoms() takes them, as they are drawn, and as a table of radii.
 PathsOfPockets paths_of(const FoundTunnels& found);
+PocketWays drawable(const FoundTunnels& found);
 Table profile_of(const FoundTunnels& found);
 
 /// Completes the options of a report.

@@ -22,7 +22,6 @@
 #include "meniscus/tables.h"
 #include "meniscus/threads.h"
 #include "platform/files/atomic_file.h"
-#include "pockets_drawing.h"
 #include "standard_output.h"
 #include "summary.h"
 

@@ -20,7 +20,7 @@ endif()
 # core alone has no use for the headers of the other libraries.
 set(left_out)
 if(NOT MENISCUS_LIBRARIES MATCHES files)
-  set(left_out REGEX "/(colours?|draw_surface|file_name|file_words|legend|level_set_file|list_of_counts|page|picture|radii|read_mesh|\
+  set(left_out REGEX "/(colours?|draw_(pockets|surface)|file_name|file_words|legend|level_set_file|list_of_counts|page|picture|radii|read_mesh|\
 structure|tables|vertex_values|volume_file|write)\\.h$" EXCLUDE)
 endif()
 install(DIRECTORY include/meniscus DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development

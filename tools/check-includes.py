@@ -45,14 +45,15 @@ ROOMS = {
     "render": ("colours", "platform"),
     "sticks": ("colours", "render", "structure"),
     "page": ("colours", "values", "render", "sticks", "io", "tables", "pockets", "describe_pockets", "structure", "exact", "pipeline", "platform"),
-    "draw": ("colours", "render", "sticks", "structure", "pipeline"),
+    "draw": ("page", "io", "mesh", "describe_pockets", "describe_tunnels", "pockets", "colours", "render", "sticks", "structure",
+             "pipeline"),
 }
 # Whose a public header is. The others hold the library's vocabulary (vectors, atoms, meshes, values on grids, errors), which
 # everybody may use.
 PUBLIC = {
     "cavities": "cavities", "colours": "colours", "compare": "pipeline", "cost": "pipeline",
     "describe_options": "pipeline", "describe_pockets": "describe_pockets", "describe_results": "describe_results",
-    "describe_tunnels": "describe_tunnels", "draw_surface": "draw",
+    "describe_tunnels": "describe_tunnels", "draw_pockets": "draw", "draw_surface": "draw",
     "exact_surface": "exact", "field": "pipeline", "file_words": "file_words", "flow": "flow",
     "interfaces": "exact", "legend": "colours", "ligand_bodies": "sticks",
     "level_set": "grid", "level_set_file": "io", "measures": "exact", "mesh_part": "mesh", "mesh_quality": "measure",

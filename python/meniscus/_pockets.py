@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any, Union
 
 import numpy.typing as npt
 
-from . import _core, _files, _options
+from . import _core, _files, _options, _writing
 from ._arrays import ArrayLike, Floats, Indices, as_array, positions
 from ._atoms import Atoms, Radii, as_structure, read_for_pockets, read_whole
-from ._choices import PocketField, PocketFormat, PocketRank
+from ._choices import Drawn, PocketField, PocketFormat, PocketRank
 from ._component import Point
 from ._errors import CheckWarning, UsageError, warn
 from ._files import Target
@@ -21,13 +21,17 @@ from ._meshing import with_keywords, with_run
 from ._nouns import NOT_GIVEN, RunOptions
 from ._reading import Reading, ReadOptions
 from ._structure import Structure
-from ._tunnels import Tunnel
+from ._tunnels import Pore, Tunnel
 
 if TYPE_CHECKING:
     import pandas  # type: ignore[import]
     from typing_extensions import Unpack
 
 Place = Union[str, Structure, ArrayLike]
+Ways = Union[None, Tunnel, Pore, Sequence[Union[Tunnel, Pore]]]
+
+_WITH_TUNNELS = (".pdb", ".cif", ".glb", ".png", ".html")
+_ALL_SUFFIXES = (".csv", ".json", ".pdb", ".cif", ".ply", ".glb", ".png", ".html", ".dx", ".mrc", ".vdb", ".npz")
 
 # Å; those of the command line: where a ligand's atoms lie that touch the wall, and as far as a site's own points.
 _REACH_OF_ATOM = 4.0
@@ -241,6 +245,11 @@ class Pockets:
         return self.totals["scale"]
 
     @property
+    def doubt(self) -> str:
+        """Why the ranking is less sure than for what it was fitted to: heavy atoms of a protein at 1 Å. Empty if it is not."""
+        return self._core.doubt(self._structure._core)
+
+    @property
     def checks(self) -> list[dict[str, Any]]:
         """The self-checks, as in the block ``checks`` of the report: name, passed, value, bound."""
         return self._core.checks
@@ -340,11 +349,29 @@ class Pockets:
         from ._export import frame
         return frame(self.table())
 
-    def save(self, path: Target, *, field: PocketField = "pockets", format: PocketFormat | None = None) -> None:
+    def save(
+        self,
+        path: Target,
+        *,
+        field: PocketField = "pockets",
+        tunnels: Ways = None,
+        size: tuple[int, int] = (1600, 1200),
+        view: _writing.View = "auto",
+        background: str = "white",
+        perspective: bool = False,
+        outline: bool = False,
+        depth_cue: float = 0.0,
+        cut: _writing.Cut = None,
+        legend: bool = False,
+        draw: Drawn = "ligands",
+        format: PocketFormat | None = None,
+    ) -> None:
         """Writes the pockets, in the format of the suffix, as ``meniscus pockets -o`` does.
 
         .csv and .json are tables; .pdb and .cif have the atoms, with the rank of the pocket that they line as B factor, and
-        the grid points as pseudo-atoms; .dx, .mrc and .vdb are maps; .npz has the arrays of ``docs/reference/pockets.md``.
+        the grid points as pseudo-atoms; .ply has a closed mesh for each pocket; .glb, .png and .html show the surface in
+        the colours of its pockets with their bodies in it, .html as a page with a list of them; .dx, .mrc and .vdb are maps;
+        .npz has the arrays of ``docs/reference/pockets.md``.
 
         Parameters
         ----------
@@ -352,13 +379,33 @@ class Pockets:
             Where to write.
         field : {"pockets", "probability"}, default "pockets"
             Of maps: ranks of pockets, or the probability of a ligand's atom.
-        format : {"csv", "json", "pdb", "cif", "dx", "mrc", "vdb", "npz"}, optional
+        tunnels : Tunnel, Pore, or sequence of these, optional
+            Of .pdb, .cif, .glb, .png and .html: tunnels of these pockets, and at most one pore, as pseudo-atoms or tubes.
+        size : tuple of int, default (1600, 1200)
+            Width and height of a picture in pixels.
+        view : str or array_like, shape (3,) or (2, 3), default "auto"
+            Of pictures and pages, as for :meth:`Surface.save`; "auto" shows a pore from the side.
+        background : str, default "white"
+            Of pictures.
+        perspective : bool, default False
+            Of pictures and pages: as the eye sees, instead of parallel rays.
+        outline : bool, default False
+            Of pictures: lines where the surface ends in front of something.
+        depth_cue : float, default 0
+            Of pictures: let what is far away fade into the background, 0 to 1.
+        cut : str, float or array_like, shape (3,) or (2, 3), optional
+            Of pictures: cuts all by a plane, as for :meth:`Surface.save`.
+        legend : bool, default False
+            Of pictures: what the colours mean.
+        draw : {"ligands", "none"}, default "ligands"
+            Of pictures, pages and .glb: draw the ligands of the structure as sticks and balls.
+        format : {"csv", "json", "pdb", "cif", "ply", "glb", "png", "html", "dx", "mrc", "vdb", "npz"}, optional
             The format, instead of that of the suffix; required for a file object without a name.
 
         Raises
         ------
         UsageError
-            For an unknown suffix or field.
+            For an unknown suffix or field, and an option that makes no sense.
         OSError
             If the file cannot be written.
 
@@ -368,10 +415,15 @@ class Pockets:
         >>> numpy.load("pockets.npz")["point_features"].shape[1]
         43
         """
+        drawing = {"size": size, "view": view, "background": background, "perspective": perspective,
+                   "outline": outline, "depth_cue": depth_cue, "cut": cut, "legend": legend, "draw": draw}
         content = _options.one_of("field", field, _core.words["pocket_field"])
-        _files.save_to(path, format, lambda inner: self._write(inner, content))
+        ways = _ways_of(tunnels)
+        options = _writing.picture_options(drawing)
+        _files.save_to(path, format, lambda inner: self._write(inner, content, ways, options))
 
-    def write(self, file: Target, format: PocketFormat | None = None, *, field: PocketField = "pockets") -> None:
+    def write(self, file: Target, format: PocketFormat | None = None, *, field: PocketField = "pockets",
+              **drawing: Any) -> None:
         """Writes the pockets to an open file: :meth:`save` for those who have a stream.
 
         Parameters
@@ -382,26 +434,46 @@ class Pockets:
             "csv", "npz" ...: the suffixes of :meth:`save`; required for a file without a name.
         field : {"pockets", "probability"}, default "pockets"
             As for :meth:`save`.
+        **drawing
+            The other arguments of :meth:`save`.
 
         Raises
         ------
         UsageError
             For an unknown format or field.
         """
-        self.save(file, field=field, format=format)
+        self.save(file, field=field, format=format, **drawing)
 
-    def _write(self, path: str, field: str) -> None:
+    def _write(self, path: str, field: str, ways: tuple[list[Tunnel], Pore | None], options: dict[str, Any]) -> None:
         suffix = _files.suffix_of(path, None)
+        structure = self._structure._core
+        if suffix not in _ALL_SUFFIXES:
+            raise UsageError(f"{path}: unknown suffix; choose one of {' '.join(_ALL_SUFFIXES)}")
+        if ways != ([], None) and suffix not in _WITH_TUNNELS:
+            raise UsageError(f"{path}: has no room for tunnels; choose one of {' '.join(_WITH_TUNNELS)}")
         if suffix in (".csv", ".json"):
-            self._core.save_table(self._structure._core, path)
+            self._core.save_table(structure, path)
         elif suffix in (".pdb", ".cif"):
-            self._core.save_atoms(self._structure._core, path)
+            self._core.save_atoms(structure, path, *ways)
         elif suffix in (".dx", ".mrc", ".vdb"):
             self._core.save_volume(path, field)
         elif suffix == ".npz":
             self._core.save_arrays(path)
+        elif suffix == ".ply":
+            self._core.save_bodies(path)
         else:
-            raise UsageError(f"{path}: unknown suffix; choose one of .csv .json .pdb .cif .dx .mrc .vdb .npz")
+            self._core.save_drawn(structure, path, *ways, options)
+
+
+def _ways_of(tunnels: Any) -> tuple[list[Tunnel], Pore | None]:
+    given = [] if tunnels is None else [tunnels] if isinstance(tunnels, (Tunnel, Pore)) else list(tunnels)
+    for way in given:
+        if not isinstance(way, (Tunnel, Pore)):
+            raise TypeError(f"tunnels: must be made by Pockets.tunnels() or pore(), not {type(way).__name__}")
+    pores = [way for way in given if isinstance(way, Pore)]
+    if len(pores) > 1:
+        raise UsageError(f"tunnels: {len(pores)} pores; at most one can be written")
+    return [way for way in given if isinstance(way, Tunnel)], pores[0] if pores else None
 
 
 def _is_point(value: object) -> bool:

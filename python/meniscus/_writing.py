@@ -139,7 +139,7 @@ def _pair(name: str, values: Any) -> tuple[Any, Any]:
     return first, second
 
 
-def _picture_options(drawing: dict[str, Any]) -> dict[str, Any]:
+def picture_options(drawing: dict[str, Any]) -> dict[str, Any]:
     width, height = _pair("size", drawing["size"])
     options: dict[str, Any] = {
         "width": _options.whole("size", width),
@@ -174,7 +174,7 @@ def _save_mesh(path: str, surface: Surface, options: dict[str, Any], drawing: di
 
 
 def _save_picture(path: str, surface: Surface, options: dict[str, Any], drawing: dict[str, Any]) -> None:
-    _core.write_picture(path, surface._core, surface.structure._core, {**options, **_picture_options(drawing)})
+    _core.write_picture(path, surface._core, surface.structure._core, {**options, **picture_options(drawing)})
 
 
 def _save_page(path: str, surface: Surface, options: dict[str, Any], drawing: dict[str, Any]) -> None:
@@ -276,7 +276,7 @@ def save_surface(path: str, surface: Surface, color: Color, values: Values, asci
     writer = _SURFACE_WRITERS.get(pathlib.PurePath(path).suffix)
     if writer is None:
         raise _unknown_suffix(path, list(_SURFACE_WRITERS))
-    for check in (_picture_options, _volume_options):  # of every format: one set of options may go to several files
+    for check in (picture_options, _volume_options):  # of every format: one set of options may go to several files
         check(drawing)
     options = {**colour_options(color), **value_options(values, len(surface.normals)),
                **_part_options(path, writer, part), "ascii": _options.flag("ascii", ascii),

@@ -4,8 +4,11 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -13,13 +16,16 @@
 
 #include "arrays.h"
 #include "bindings.h"
+#include "drawing_options.h"
 #include "meniscus/describe_pockets.h"
+#include "meniscus/draw_pockets.h"
 #include "meniscus/file_words.h"
 #include "meniscus/pocket_places.h"
 #include "meniscus/volume_file.h"
 #include "meniscus/write.h"
 #include "options.h"
 #include "pickling.h"
+#include "platform/files/atomic_file.h"
 #include "result_dict.h"
 #include "table_columns.h"
 
@@ -93,9 +99,67 @@ Table table_of_pockets(const FoundPockets& found, const Structure& structure) {
     return pockets_table(describe_pockets(found.pockets, structure, found.places));
 }
 
-void save_pocket_atoms(const FoundPockets& found, const Structure& structure, const std::string& path) {
+/// Of Python's Tunnel or Pore.
+DescribedWay way_of(const py::handle& given) {
+    const auto positions = given.attr("points").cast<Positions>();
+    const auto radii = given.attr("radii").cast<Numbers>();
+    const auto distances = given.attr("distances").cast<Numbers>();
+    const std::span<const Vec3> points = points_of(positions);
+    DescribedWay way;
+    way.atoms = given.attr("bottleneck_atoms").cast<std::vector<std::string>>();
+    TunnelPath& path = way.path;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        path.points.push_back({points[i], numbers_of(distances)[i], numbers_of(radii)[i]});
+    const auto narrowest = std::min_element(path.points.begin(), path.points.end(),
+                                            [](const auto& a, const auto& b) { return a.radius < b.radius; });
+    path.bottleneck.point = static_cast<std::size_t>(narrowest - path.points.begin());
+    path.bottleneck.radius = given.attr("bottleneck_radius").cast<double>();
+    path.bottleneck.position = vector_of(given.attr("bottleneck").cast<std::array<double, 3>>());
+    path.bottleneck.at_end = given.attr("bottleneck_at_end").cast<bool>();
+    path.certified_radius = given.attr("certified_radius").cast<double>();
+    path.length = given.attr("length").cast<double>();
+    path.curvature = given.attr("curvature").cast<double>();
+    return way;
+}
+
+PocketWays ways_of(const py::list& tunnels, const py::object& pore) {
+    PocketWays ways;
+    for (const py::handle& tunnel : tunnels)
+        ways.tunnels.push_back({tunnel.attr("pocket").cast<std::optional<std::size_t>>(),
+                                tunnel.attr("rank").cast<std::size_t>(), way_of(tunnel)});
+    if (!pore.is_none()) ways.pore = way_of(pore);
+    return ways;
+}
+
+void save_pocket_atoms(const FoundPockets& found, const Structure& structure, const std::string& path,
+                       const py::list& tunnels, const py::object& pore) {
+    const PocketWays ways = ways_of(tunnels, pore);
     const py::gil_scoped_release release;
-    write_pocket_atoms(path, structure, found.pockets);
+    PathsOfPockets paths;
+    for (const DescribedTunnel& tunnel : ways.tunnels) paths.tunnels.push_back(tunnel.way.path);
+    if (ways.pore) paths.pore = ways.pore->path;
+    write_pocket_atoms(path, structure, found.pockets, paths);
+}
+
+/// A picture, a page or glTF.
+void save_drawn_pockets(const FoundPockets& found, const Structure& structure, const std::string& path,
+                        const py::list& tunnels, const py::object& pore, const py::dict& given) {
+    const PocketWays ways = ways_of(tunnels, pore);
+    DrawPocketsOptions options{.picture = picture_options(given), .ligands = with_ligands(given)};
+    Options(given).read("legend", options.legend);
+    const py::gil_scoped_release release;
+    const ExactSurface exact(structure.atoms, {SurfaceKind::Ses, found.pockets.options.probe});
+    const DrawnPockets drawn(exact, found.pockets, structure, ways);
+    if (path.ends_with(".glb")) return drawn.write_glb(path, structure, options);
+    if (path.ends_with(".png")) return write_picture(path, drawn.picture(structure, options));
+    AtomicFile file(path);
+    file.write(drawn.page(structure, describe_pockets(found.pockets, structure, found.places), options));
+    file.commit();
+}
+
+void save_pocket_bodies(const FoundPockets& found, const std::string& path) {
+    const py::gil_scoped_release release;
+    write_mesh(path, pocket_bodies(found.pockets));
 }
 
 void save_pocket_table(const FoundPockets& found, const Structure& structure, const std::string& path) {
@@ -161,6 +225,9 @@ void bind_pockets(py::module_& module) {
     type.def_property_readonly("totals", [](const FoundPockets& found) { return dict_of(found.pockets); });
     type.def_property_readonly("checks", [](const FoundPockets& found) { return dicts_of(found.checks); });
     type.def_property_readonly("voxels", &voxel_arrays);
+    type.def("doubt", [](const FoundPockets& found, const Structure& structure) {
+        return doubt_of_ranking(structure, found.pockets.options.spacing);
+    });
     type.def("descriptions", &described_pockets, py::arg("structure"));
     type.def(
         "table",
@@ -168,7 +235,11 @@ void bind_pockets(py::module_& module) {
             return table_columns(table_of_pockets(found, structure));
         },
         py::arg("structure"));
-    type.def("save_atoms", &save_pocket_atoms, py::arg("structure"), py::arg("path"));
+    type.def("save_atoms", &save_pocket_atoms, py::arg("structure"), py::arg("path"), py::arg("tunnels"),
+             py::arg("pore"));
+    type.def("save_drawn", &save_drawn_pockets, py::arg("structure"), py::arg("path"), py::arg("tunnels"),
+             py::arg("pore"), py::arg("options"));
+    type.def("save_bodies", &save_pocket_bodies, py::arg("path"));
     type.def("save_table", &save_pocket_table, py::arg("structure"), py::arg("path"));
     type.def("save_volume", &save_pocket_volume, py::arg("path"), py::arg("field"));
     type.def("save_arrays", &save_pocket_arrays, py::arg("path"));

@@ -9,7 +9,9 @@
 
 #include "arrays.h"
 #include "bindings.h"
+#include "drawing_options.h"
 #include "meniscus/colours.h"
+#include "meniscus/describe_pockets.h"
 #include "meniscus/draw_surface.h"
 #include "meniscus/errors.h"
 #include "meniscus/field.h"
@@ -55,19 +57,26 @@ struct Colouring {
     }
 
     /// With the values that were given, and those that the scheme brings along.
-    Mesh complete(const Mesh& mesh, const Structure& structure, const ExactSurface& exact) const {
+    ///
+    /// pockets   those of pockets_of(), where they have been found already
+    Mesh complete(const Mesh& mesh, const Structure& structure, const ExactSurface& exact,
+                  const Pockets* pockets = nullptr) const {
         Mesh with = mesh;
         if (options.scheme == ColourScheme::Depth && given.empty() && !has_values("depth"))
             with.values.push_back(depth_values(mesh, exact));
         if (const auto more = values_of_scheme(options.scheme, structure))
             with.values.push_back(values_at_vertices(mesh, *more));
         with.values.insert(with.values.end(), values.begin(), values.end());
-        if (options.scheme == ColourScheme::Pocket && given.empty() && !has_values(kPocketValues))
-            with.values.push_back(pocket_values(pockets_of(structure, exact), mesh));
+        if (wants_pockets())
+            with.values.push_back(pocket_values(pockets != nullptr ? *pockets : pockets_of(structure, exact), mesh));
         return with;
     }
 
-private:
+    /// Whether the scheme needs pockets_of().
+    bool wants_pockets() const {
+        return options.scheme == ColourScheme::Pocket && given.empty() && !has_values(kPocketValues);
+    }
+
     /// Those of `meniscus surface --color pocket`: for any surface those of the SES.
     Pockets pockets_of(const Structure& structure, const ExactSurface& exact) const {
         const PocketOptions standard;
@@ -77,6 +86,7 @@ private:
                             run);
     }
 
+private:
     bool has_values(const std::string& name) const {
         return std::any_of(values.begin(), values.end(), [&](const VertexValues& v) { return v.name == name; });
     }
@@ -182,12 +192,6 @@ std::vector<Colour> picked(const std::vector<Colour>& colours, const std::vector
     return result;
 }
 
-bool with_ligands(const py::dict& given) {
-    bool ligands = true;
-    Options(given).read("ligands", ligands);
-    return ligands;
-}
-
 void save_mesh(const std::string& path, const Surface& surface, const Structure& structure, const py::dict& given) {
     const Colouring colouring(given);
     const Shown shown(given);
@@ -206,56 +210,6 @@ void save_mesh(const std::string& path, const Surface& surface, const Structure&
     const Bodies ligands = draws_ligands ? ligand_bodies(structure.ligands, written, colours) : Bodies{};
     options.beside = &ligands;
     write_mesh(path, written, options);
-}
-
-Vec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
-
-std::optional<Viewpoint> viewpoint_of(const py::dict& given) {
-    if (!given.contains("view")) return std::nullopt;
-    const auto [from, up] = given["view"].cast<std::pair<std::array<double, 3>, std::array<double, 3>>>();
-    return Viewpoint{vector_of(from), vector_of(up)};
-}
-
-Projection projection_of(const py::dict& given) {
-    bool perspective = false;
-    Options(given).read("perspective", perspective);
-    return perspective ? Projection::Perspective : Projection::Orthographic;
-}
-
-/// Nothing, or where the plane is: "auto", a depth, the number of a cavity, or a point and perhaps a normal.
-std::optional<Cut> cut_of(const py::dict& given) {
-    if (!given.contains("cut")) return std::nullopt;
-    const auto asked = given["cut"].cast<py::dict>();
-    const Options options(asked);
-    Cut cut;
-    if (asked.contains("cavity")) cut.through = Cut::Through::Cavity;
-    if (asked.contains("depth")) cut.through = Cut::Through::Depth;
-    options.read("cavity", cut.cavity);
-    options.read("depth", cut.depth);
-    if (asked.contains("point")) {
-        cut.through = Cut::Through::Point;
-        cut.point = vector_of(asked["point"].cast<std::array<double, 3>>());
-    }
-    if (asked.contains("normal")) cut.normal = vector_of(asked["normal"].cast<std::array<double, 3>>());
-    return cut;
-}
-
-PictureOptions picture_options(const py::dict& given) {
-    const Options options(given);
-    PictureOptions picture;
-    options.read("width", picture.width);
-    options.read("height", picture.height);
-    options.read("outline", picture.outline);
-    options.read("depth_cue", picture.depth_cue);
-    options.read("threads", picture.threads);
-    picture.viewpoint = viewpoint_of(given);
-    picture.projection = projection_of(given);
-    picture.cut = cut_of(given);
-    if (given.contains("background")) {
-        const auto c = given["background"].cast<std::array<std::uint8_t, 4>>();
-        picture.background = {c[0], c[1], c[2], c[3]};
-    }
-    return picture;
 }
 
 void save_picture(const std::string& path, const Surface& surface, const Structure& structure, const py::dict& given) {
@@ -283,7 +237,13 @@ void save_page(const std::string& path, const Surface& surface, const Structure&
                         .exact = surface.exact};
     Options(given).read("threads", options.threads);
     const py::gil_scoped_release release;
-    write_page(path, colouring.complete(surface.mesh, structure, surface.exact), structure, options);
+    std::optional<Pockets> pockets;
+    if (colouring.wants_pockets()) {
+        pockets = colouring.pockets_of(structure, surface.exact);
+        options.pockets = page_pockets(describe_pockets(*pockets, structure));
+    }
+    const Mesh mesh = colouring.complete(surface.mesh, structure, surface.exact, pockets ? &*pockets : nullptr);
+    write_page(path, mesh, structure, options);
 }
 
 void save_level_set(const std::string& path, const Surface& surface) {

@@ -271,9 +271,35 @@ class Results(InScratchFolder):
             self.assertEqual(stream.getvalue(), theirs, suffix)
         found.save("p.dx", field="probability")
         self.assertNotEqual(pathlib.Path("p.dx").read_bytes(), pathlib.Path("a.dx").read_bytes())
-        for call in (lambda: found.save("a.gif"), lambda: found.save("a.dx", field="mask")):
+        way = found.tunnels()
+        pore = meniscus.pore(found.structure, way[0].points[[0, -1]])
+        for call in (lambda: found.save("a.gif"), lambda: found.save("a.dx", field="mask"),
+                     lambda: found.save("a.csv", view="askew"), lambda: found.save("a.csv", tunnels=way),
+                     lambda: found.save("a.pdb", tunnels=[pore, pore])):
             with self.assertRaises(meniscus.UsageError):
                 call()
+        with self.assertRaises(TypeError):
+            found.save("a.pdb", tunnels=[0])
+
+    def test_are_drawn_as_by_the_command_line(self):
+        outputs = ["a.html", "a.png", "a.glb", "a.pdb", "a.cif"]
+        found = found_in(UBIQUITIN)
+        tunnels = found.tunnels()
+        ends = tunnels[0].points[[0, -1]].round(3)
+        pore = ",".join(str(x) for x in ends.ravel())
+        subprocess.run([PROGRAM, "pockets", UBIQUITIN, *(word for path in outputs for word in ("-o", path)), "--quiet",
+                        "--tunnels", "--pore", pore, "--size", "200x150", "--view", "left"], check=True)
+        subprocess.run([PROGRAM, "pockets", UBIQUITIN, "-o", "a.ply", "--quiet"], check=True)
+        ways = [*tunnels, meniscus.pore(found.structure, ends)]
+        for path in outputs:
+            found.save("b" + path[1:], tunnels=ways, size=(200, 150), view="left")
+        found.save("b.ply")
+        for path in (*outputs, "a.ply"):
+            self.assertEqual(pathlib.Path("b" + path[1:]).read_bytes(), pathlib.Path(path).read_bytes(), path)
+
+    def test_say_where_the_ranking_was_not_fitted(self):
+        self.assertEqual(found_in(UBIQUITIN).doubt, "")
+        self.assertIn("spacing", found_in(UBIQUITIN, spacing=1.5).doubt)
 
     def test_are_a_table(self):
         found = found_in(UBIQUITIN)

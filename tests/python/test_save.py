@@ -53,7 +53,7 @@ class AsTheProgram(InScratchFolder):
             surface.save("b.png", draw="waters")
 
     def test_pockets_have_the_same_colours(self):
-        names = ["a.ply", "a.glb", "a.vtp", "a.npz", "a.png"]
+        names = ["a.ply", "a.glb", "a.vtp", "a.npz", "a.png", "a.html"]
         for kind in ("ses", "sas"):
             outputs = [word for name in names for word in ("-o", f"cli_{kind}_{name}")]
             subprocess.run([PROGRAM, "surface", UBIQUITIN, "--quiet", "--spacing", "1", "--surface", kind, "--color", "pocket",

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-#include "pockets_drawing.h"
+#include "meniscus/draw_pockets.h"
 
 #include <fmt/core.h>
 
@@ -18,7 +18,7 @@
 #include "meniscus/mesh_part.h"
 #include "meniscus/write.h"
 
-namespace meniscus::cli {
+namespace meniscus {
 
 namespace {
 
@@ -44,9 +44,9 @@ PageWay way_of(const DescribedWay& described) {
     return way;
 }
 
-std::vector<PageWay> ways_of(const FoundTunnels& found) {
+std::vector<PageWay> ways_of(const PocketWays& found) {
     std::vector<PageWay> ways;
-    for (const DescribedTunnel& tunnel : found.tunnels.value_or(std::vector<DescribedTunnel>{})) {
+    for (const DescribedTunnel& tunnel : found.tunnels) {
         PageWay way = way_of(tunnel.way);
         const std::size_t number = ways.size() + 1;
         way.name =
@@ -64,8 +64,8 @@ std::vector<PageWay> ways_of(const FoundTunnels& found) {
 }
 
 /// A pore stands upright, seen from the side, unless one asks for another view.
-std::optional<Viewpoint> view_of(const PictureRequest& request, const std::vector<PageWay>& ways) {
-    if (request.picture.viewpoint || ways.empty() || ways.back().from != kPore) return request.picture.viewpoint;
+std::optional<Viewpoint> view_of(const PictureOptions& options, const std::vector<PageWay>& ways) {
+    if (options.viewpoint || ways.empty() || ways.back().from != kPore) return options.viewpoint;
     const Vec3 along = ways.back().end - ways.back().begin;
     if (!(norm(along) > 0.0)) return {};
     const Vec3 axis = std::abs(along.z) < 0.8 * norm(along) ? Vec3{0.0, 0.0, 1.0} : Vec3{0.0, 1.0, 0.0};
@@ -102,49 +102,49 @@ Bodies tube_along(const TunnelPath& path, const RunOptions& run) {
 }  // namespace
 
 DrawnPockets::DrawnPockets(const ExactSurface& exact, const Pockets& pockets, const Structure& structure,
-                           const FoundTunnels& ways, const RunOptions& run)
+                           const PocketWays& ways, const RunOptions& run)
     : bodies_{pocket_bodies(pockets), {}}, ways_(ways_of(ways)) {
     surface_ = meniscus::mesh(exact, {}, run);
     surface_.mesh.values.push_back(pocket_values(pockets, surface_.mesh));
     colours_ = colour_vertices(surface_.mesh, structure, kByPocket);
     bodies_.colours = colour_vertices(bodies_.mesh, structure, kByPocket);
     for (Colour& colour : bodies_.colours) colour.alpha = kBodyAlpha;
-    const PathsOfPockets paths = paths_of(ways);
-    for (const TunnelPath& path : paths.tunnels) tubes_ = joined(std::move(tubes_), tube_along(path, run));
-    if (paths.pore) tubes_ = joined(std::move(tubes_), tube_along(*paths.pore, run));
+    for (const DescribedTunnel& tunnel : ways.tunnels)
+        tubes_ = joined(std::move(tubes_), tube_along(tunnel.way.path, run));
+    if (ways.pore) tubes_ = joined(std::move(tubes_), tube_along(ways.pore->path, run));
 }
 
-Picture DrawnPockets::picture(const Structure& structure, const PictureRequest& request, int threads) const {
-    PictureOptions options = request.picture;
-    options.opacity = kSeeThrough;
-    options.viewpoint = view_of(request, ways_);
-    options.threads = threads;
+Picture DrawnPockets::picture(const Structure& structure, const DrawPocketsOptions& options) const {
+    PictureOptions picture = options.picture;
+    picture.opacity = kSeeThrough;
+    picture.viewpoint = view_of(picture, ways_);
+    picture.threads = options.threads;
     return draw_surface(surface_, structure, {surface_.mesh, colours_},
-                        {.picture = options,
+                        {.picture = picture,
                          .scheme = kByPocket,
-                         .legend = request.legend,
-                         .ligands = request.ligands,
+                         .legend = options.legend,
+                         .ligands = options.ligands,
                          .beside = joined(bodies_, tubes_)});
 }
 
-std::string DrawnPockets::page(const Structure& structure, const PictureRequest& request,
-                               const std::vector<DescribedPocket>& described, int threads) const {
+std::string DrawnPockets::page(const Structure& structure, std::span<const DescribedPocket> described,
+                               const DrawPocketsOptions& options) const {
     return make_page(surface_.mesh, structure,
                      {.colours = kByPocket,
-                      .viewpoint = view_of(request, ways_),
-                      .projection = request.picture.projection,
-                      .ligands = request.ligands,
+                      .viewpoint = view_of(options.picture, ways_),
+                      .projection = options.picture.projection,
+                      .ligands = options.ligands,
                       .rows = page_rows(structure, surface_),
                       .pockets = page_pockets(described),
                       .bodies = &bodies_.mesh,
                       .ways = ways_,
                       .tubes = &tubes_,
                       .exact = surface_.exact,
-                      .threads = threads});
+                      .threads = options.threads});
 }
 
-void DrawnPockets::write_glb(const std::string& path, const Structure& structure, bool with_ligands,
-                             int threads) const {
+void DrawnPockets::write_glb(const std::string& path, const Structure& structure,
+                             const DrawPocketsOptions& options) const {
     std::vector<NamedMesh> named;
     for (std::size_t v = 0; v < bodies_.mesh.components.size(); ++v) {
         if (v > 0 && bodies_.mesh.components[v] == bodies_.mesh.components[v - 1]) continue;
@@ -159,7 +159,7 @@ void DrawnPockets::write_glb(const std::string& path, const Structure& structure
         for (const VertexId v : tube.vertices) colours.push_back(tubes_.colours[v]);
         named.push_back({.name = ways_[w].name, .mesh = std::move(tube.mesh), .colours = std::move(colours)});
     }
-    const Bodies ligands = with_ligands ? ligand_bodies(structure.ligands, surface_.mesh, colours_) : Bodies{};
+    const Bodies ligands = options.ligands ? ligand_bodies(structure.ligands, surface_.mesh, colours_) : Bodies{};
     write_mesh(path, surface_.mesh,
                {.colours = colours_,
                 .structure = &structure,
@@ -167,7 +167,7 @@ void DrawnPockets::write_glb(const std::string& path, const Structure& structure
                 .named = named,
                 .probe = surface_.options.probe,
                 .shortest_edge = surface_.measures.shortest_edge,
-                .threads = threads});
+                .threads = options.threads});
 }
 
-}  // namespace meniscus::cli
+}  // namespace meniscus
