@@ -18,6 +18,7 @@ constexpr double kMostPixels = 1 << 24U;
 /// The first and the last middle of a pixel between two coordinates, which are not negative; the last is before the
 /// first for none. Conversion to a whole number takes a fraction of the time of std::ceil and std::floor.
 struct Middles {
+    // NOLINTNEXTLINE(bugprone-incorrect-roundings): std::lround is slow, too
     Middles(float low, float high) : first(static_cast<int>(low + 0.5F)), last(static_cast<int>(high + 0.5F) - 1) {}
     bool empty() const { return last < first; }
 
