@@ -23,10 +23,10 @@ class Memory(FaultTest):
         super().setUp()
         (self.folder / "surfaceConfiguration.prm").write_text(PRM)
 
-    def least(self, *command):
-        """MB with which a program starts at all: below that the loader of libraries fails."""
+    def least(self, *command, code=0):
+        """MB with which a program starts at all and ends with a code: below that the loader of libraries fails."""
         for size in range(8, 512, 4):
-            if self.run_program(*command, preexec_fn=limit(size * MEGABYTE)).returncode == 0:
+            if self.run_program(*command, preexec_fn=limit(size * MEGABYTE)).returncode == code:
                 return size
         self.skipTest("the program does not start with 512 MB of address space")
 
@@ -79,7 +79,7 @@ class Memory(FaultTest):
 
     def test_drop_ins(self):
         self.sweep(self.least(MSMS, "-h"), MSMS, "-if", "three.xyzr", "-of", "a", "-density", "10")
-        self.sweep(self.least(TO_XYZR, "--help"), NANOSHAPER)
+        self.sweep(self.least(NANOSHAPER, "no-such.prm", code=3), NANOSHAPER)
         self.sweep(self.least(TO_XYZR, "--help"), TO_XYZR, UBIQUITIN)
 
 

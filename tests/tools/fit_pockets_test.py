@@ -18,7 +18,7 @@ import unittest
 PROGRAM, SOURCE = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
 DATA = pathlib.Path(os.environ.get("MENISCUS_TEST_DATA", "")) / "pockets"
 NAMES = ("A_1bcu", "A_1e66", "A_1gpk", "A_1lbk", "A_1mq6", "A_1q8t", "A_1z95", "A_2brb")
-ROW = re.compile(r'^    \{"(\S+)", (\S+), (\S+), (\S+)\},$', re.MULTILINE)
+ROW = re.compile(r'^ +\{"(\S+)", (\S+), (\S+), (\S+)\},$', re.MULTILINE)
 
 
 def run(script, *arguments, **environment):
