@@ -62,7 +62,8 @@ TEST(Pockets, AClosedShellHoldsACavityWithItsExactVolume) {
     const auto cavity = std::find_if(pockets.pockets.begin(), pockets.pockets.end(),
                                      [](const Pocket& pocket) { return pocket.cavity; });
     ASSERT_NE(cavity, pockets.pockets.end());
-    const Measures& measures = ExactSurface(atoms).measures();
+    const ExactSurface exact(atoms);
+    const Measures& measures = exact.measures();
     ASSERT_EQ(measures.components.size(), 2u);
     EXPECT_EQ(cavity->volume, measures.components[1].ses_volume);
     EXPECT_TRUE(cavity->mouths.empty());
